@@ -1,1 +1,14 @@
-//! (placeholder)
+//! What GKS and PHIGS share, from the item to the device.
+//!
+//! An [`item::Item`] is the waist: a primitive with its unresolved look in normalized device coordinates.
+//! A workstation resolves the look by its own tables, maps the item to its display surface,
+//! clips it, and offers what remains to its [`device::Device`]; what the device refuses is taken apart
+//!  until it is drawn.
+
+pub mod colour;
+pub mod description;
+pub mod device;
+pub mod font;
+pub mod item;
+pub mod look;
+pub mod tables;

@@ -1,0 +1,150 @@
+//! The workstation description table: what a type of workstation is able to do.
+
+use crate::device::{Device, Surface};
+use crate::look::enumeration;
+
+enumeration! {
+    /// What a workstation is for.
+    Category {
+        /// Draws.
+        Output = 0,
+        /// Reads.
+        Input = 1,
+        /// Draws and reads.
+        OutIn = 2,
+        /// Workstation-independent segment storage.
+        Wiss = 3,
+        /// Metafile output.
+        MetafileOutput = 4,
+        /// Metafile input.
+        MetafileInput = 5,
+    }
+}
+
+enumeration! {
+    /// How a display surface is made.
+    Classification {
+        /// By lines.
+        Vector = 0,
+        /// By pixels.
+        Raster = 1,
+        /// In another way.
+        Other = 2,
+    }
+}
+
+enumeration! {
+    /// When output may be delayed.
+    DeferralMode {
+        /// As soon as possible.
+        Asap = 0,
+        /// Before the next interaction globally.
+        Bnig = 1,
+        /// Before the next interaction locally.
+        Bnil = 2,
+        /// At some time.
+        Asti = 3,
+    }
+}
+
+enumeration! {
+    /// Whether a change that cannot be shown at once may redraw the picture unasked.
+    RegenerationMode {
+        /// Only on demand.
+        Suppressed = 0,
+        /// At once.
+        Allowed = 1,
+    }
+}
+
+enumeration! {
+    /// How a change of a workstation attribute becomes visible.
+    DynamicModification {
+        /// By an implicit regeneration.
+        Irg = 0,
+        /// Immediately.
+        Imm = 1,
+    }
+}
+
+/// How changes of workstation attributes become visible, in the order of the inquiry.
+///
+/// A device that keeps no picture shows a changed table in what is drawn from then on, which is
+/// [`DynamicModification::Imm`]: nothing has to be drawn again.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct DynamicModifications {
+    /// Polyline bundles.
+    pub line_bundles: DynamicModification,
+    /// Polymarker bundles.
+    pub marker_bundles: DynamicModification,
+    /// Text bundles.
+    pub text_bundles: DynamicModification,
+    /// Fill area bundles.
+    pub fill_bundles: DynamicModification,
+    /// Patterns.
+    pub patterns: DynamicModification,
+    /// Colours.
+    pub colours: DynamicModification,
+    /// Workstation transformation.
+    pub transformation: DynamicModification,
+}
+
+/// The description of one workstation type. What all types share (linetypes, markers, fonts, predefined
+/// bundles) is in the generated numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Description {
+    /// The workstation type.
+    pub number: i32,
+    /// The name by which a user chooses the type.
+    pub name: &'static str,
+    /// What the workstation is for.
+    pub category: Category,
+    /// How the surface is made.
+    pub classification: Classification,
+    /// The display surface, at the size that OPEN WORKSTATION gave it or the default one.
+    pub surface: Surface,
+    /// Number of columns and rows of addressable positions.
+    pub raster: (u32, u32),
+    /// Number of colours that can be shown at the same time; 0 for a continuous range.
+    pub colours: u32,
+    /// How changes become visible.
+    pub dynamic: DynamicModifications,
+    /// Deferral mode when opened.
+    pub deferral: DeferralMode,
+    /// Implicit regeneration mode when opened.
+    pub regeneration: RegenerationMode,
+}
+
+impl Description {
+    /// The size of the display surface in metres.
+    pub fn size(&self) -> (f64, f64) {
+        (self.surface.width * self.surface.unit, self.surface.height * self.surface.unit)
+    }
+}
+
+/// Why a workstation could not be opened.
+#[derive(Debug, thiserror::Error)]
+pub enum OpenError {
+    /// The installation has no workstation type with this number.
+    #[error("no workstation type {0}")]
+    NoSuchType(i32),
+    /// The connection identifier or one of its options makes no sense.
+    #[error("connection \"{0}\": {1}")]
+    Connection(String, String),
+    /// The device or file could not be opened.
+    #[error("{0}")]
+    CannotOpen(String),
+}
+
+/// The workstation types of an installation. The kernel knows no driver: it opens workstations through
+/// this interface.
+pub trait Catalogue: Send {
+    /// The numbers of all types, in increasing order.
+    fn types(&self) -> Vec<i32>;
+
+    /// The description of a type as it is before a workstation of it is opened, if there is such a type.
+    fn describe(&self, number: i32) -> Option<Description>;
+
+    /// Opens a device of a type. The description returned is that of the device opened.
+    fn open(&mut self, number: i32, connection: &str) -> Result<(Box<dyn Device>, Description), OpenError>;
+}

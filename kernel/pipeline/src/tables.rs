@@ -1,0 +1,165 @@
+//! The bundle, pattern and colour tables of one workstation, and how a look is resolved by them.
+
+use crate::colour::{Colour, Paint};
+use crate::look::{Aspect, FillBundle, LineBundle, Look, MarkerBundle, TextBundle};
+use std::collections::BTreeMap;
+
+/// A pattern: colour indices of `columns` x `rows` cells, row by row from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pattern {
+    /// Number of columns.
+    pub columns: usize,
+    /// Number of rows.
+    pub rows: usize,
+    /// The colour indices, column fastest.
+    pub indices: Vec<i32>,
+}
+
+/// The tables that belong to one workstation: what its state list holds beside control.
+///
+/// Every table has an entry 1, which stands in for indices that have none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tables {
+    /// Polyline bundles by polyline index.
+    pub lines: BTreeMap<u32, LineBundle>,
+    /// Polymarker bundles by polymarker index.
+    pub markers: BTreeMap<u32, MarkerBundle>,
+    /// Text bundles by text index.
+    pub texts: BTreeMap<u32, TextBundle>,
+    /// Fill area bundles by fill area index.
+    pub fills: BTreeMap<u32, FillBundle>,
+    /// Patterns by pattern index.
+    pub patterns: BTreeMap<u32, Pattern>,
+    /// Colours by colour index; 0 is the background.
+    pub colours: Colours,
+}
+
+/// A colour table: dense where indices are small, so that a look-up costs one load.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Colours {
+    dense: Vec<Option<Colour>>,
+    sparse: BTreeMap<u32, Colour>,
+}
+
+/// Indices below this one are stored densely.
+const DENSE: u32 = 4096;
+
+impl Colours {
+    /// The colour of an index, if it has one.
+    #[inline]
+    pub fn get(&self, index: u32) -> Option<Colour> {
+        if index < DENSE {
+            self.dense.get(index as usize).copied().flatten()
+        } else {
+            self.sparse.get(&index).copied()
+        }
+    }
+
+    /// Sets the colour of an index.
+    pub fn set(&mut self, index: u32, colour: Colour) {
+        if index < DENSE {
+            let i = index as usize;
+            if self.dense.len() <= i {
+                self.dense.resize(i + 1, None);
+            }
+            self.dense[i] = Some(colour);
+        } else {
+            self.sparse.insert(index, colour);
+        }
+    }
+
+    /// All entries by increasing index.
+    pub fn iter(&self) -> impl Iterator<Item = (u32, Colour)> + '_ {
+        let dense = self.dense.iter().enumerate().filter_map(|(i, c)| c.map(|c| (i as u32, c)));
+        dense.chain(self.sparse.iter().map(|(&i, &c)| (i, c)))
+    }
+
+    /// The number of entries.
+    pub fn len(&self) -> usize {
+        self.iter().count()
+    }
+
+    /// Whether there is no entry.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+fn entry<B: Copy>(table: &BTreeMap<u32, B>, index: u32, otherwise: B) -> B {
+    table.get(&index).or_else(|| table.get(&1)).copied().unwrap_or(otherwise)
+}
+
+impl Tables {
+    /// The polyline aspects that hold on this workstation.
+    pub fn line(&self, look: &Look) -> LineBundle {
+        let own = look.line;
+        let asf = look.sources;
+        let all = [Aspect::Linetype, Aspect::Linewidth, Aspect::PolylineColour];
+        if all.iter().all(|&a| asf.individual(a)) {
+            return own;
+        }
+        let bundle = entry(&self.lines, look.line_index, own);
+        LineBundle {
+            linetype: if asf.individual(all[0]) { own.linetype } else { bundle.linetype },
+            width: if asf.individual(all[1]) { own.width } else { bundle.width },
+            colour: if asf.individual(all[2]) { own.colour } else { bundle.colour },
+        }
+    }
+
+    /// The polymarker aspects that hold on this workstation.
+    pub fn marker(&self, look: &Look) -> MarkerBundle {
+        let own = look.marker;
+        let asf = look.sources;
+        let bundle = entry(&self.markers, look.marker_index, own);
+        MarkerBundle {
+            kind: if asf.individual(Aspect::MarkerType) { own.kind } else { bundle.kind },
+            size: if asf.individual(Aspect::MarkerSize) { own.size } else { bundle.size },
+            colour: if asf.individual(Aspect::PolymarkerColour) { own.colour } else { bundle.colour },
+        }
+    }
+
+    /// The text aspects that hold on this workstation.
+    pub fn text(&self, look: &Look) -> TextBundle {
+        let own = look.text;
+        let asf = look.sources;
+        let bundle = entry(&self.texts, look.text_index, own);
+        let font = if asf.individual(Aspect::TextFontAndPrecision) { own } else { bundle };
+        TextBundle {
+            font: font.font,
+            precision: font.precision,
+            expansion: if asf.individual(Aspect::CharacterExpansion) {
+                own.expansion
+            } else {
+                bundle.expansion
+            },
+            spacing: if asf.individual(Aspect::CharacterSpacing) { own.spacing } else { bundle.spacing },
+            colour: if asf.individual(Aspect::TextColour) { own.colour } else { bundle.colour },
+        }
+    }
+
+    /// The fill area aspects that hold on this workstation.
+    pub fn fill(&self, look: &Look) -> FillBundle {
+        let own = look.fill;
+        let asf = look.sources;
+        let bundle = entry(&self.fills, look.fill_index, own);
+        FillBundle {
+            interior: if asf.individual(Aspect::InteriorStyle) { own.interior } else { bundle.interior },
+            style: if asf.individual(Aspect::StyleIndex) { own.style } else { bundle.style },
+            colour: if asf.individual(Aspect::FillColour) { own.colour } else { bundle.colour },
+        }
+    }
+
+    /// The paint of a colour index; an index without an entry is drawn as index 1.
+    #[inline]
+    pub fn paint(&self, index: u32) -> Paint {
+        match self.colours.get(index) {
+            Some(colour) => Paint { colour, index },
+            None => Paint { colour: self.colours.get(1).unwrap_or(Colour::BLACK), index: 1 },
+        }
+    }
+
+    /// The colour of the empty display surface.
+    pub fn background(&self) -> Colour {
+        self.colours.get(0).unwrap_or(Colour::WHITE)
+    }
+}
