@@ -1,1 +1,15 @@
-//! (placeholder)
+//! Device drivers: from device coordinates to bytes or pixels.
+//!
+//! Every driver implements [`gks_pipeline::device::Device`], whose documentation is the driver manual.
+//! Drivers write to a [`gks_pipeline::device::Sink`] that is handed to them; only [`catalogue`] knows file
+//! names.
+
+pub mod catalogue;
+pub mod hpgl;
+pub mod null;
+pub mod options;
+pub mod pdf;
+pub mod postscript;
+pub mod raster;
+pub mod sink;
+pub mod svg;
