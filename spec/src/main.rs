@@ -1,2 +1,72 @@
-//! (placeholder)
-fn main() {}
+//! Checks the tables of the standards and copies them out into the sources that need them.
+//!
+//! `gks-spec generate` writes the generated files, `gks-spec check` looks for contradictions in the tables and for
+//! generated files that are not up to date, and ends with status 1 if it finds any.
+
+mod error_text;
+mod function;
+mod numbers;
+mod tables;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use tables::Tables;
+
+type Generator = fn(&Tables) -> String;
+
+/// The generated files, as paths from the top of the repository, and what writes them.
+const OUTPUTS: &[(&str, Generator)] = &[
+    ("kernel/gks/src/generated/mod.rs", |_| module("Copied out of the tables in `spec/gks`.", &["error_text", "function"])),
+    ("kernel/gks/src/generated/function.rs", function::generate),
+    ("kernel/gks/src/generated/error_text.rs", error_text::generate),
+    ("kernel/pipeline/src/generated/mod.rs", |_| module("Copied out of `spec/numbers.toml`.", &["numbers"])),
+    ("kernel/pipeline/src/generated/numbers.rs", numbers::generate),
+];
+
+fn main() -> ExitCode {
+    let root = repository();
+    let command = std::env::args().nth(1).unwrap_or_default();
+    let result = Tables::load(&root.join("spec")).map_err(|e| vec![e]).and_then(|tables| match command.as_str() {
+        "generate" => generate(&root, &tables).map_err(|e| vec![e]),
+        "check" => Ok(()),
+        _ => Err(vec!["usage: gks-spec check | generate".to_owned()]),
+    });
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(messages) => {
+            for message in messages {
+                eprintln!("{message}");
+            }
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The top of the repository.
+fn repository() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().map(Path::to_path_buf).unwrap_or_default()
+}
+
+fn generate(root: &Path, tables: &Tables) -> Result<(), String> {
+    for (path, generator) in OUTPUTS {
+        let path = root.join(path);
+        let text = generator(tables);
+        if std::fs::read_to_string(&path).is_ok_and(|old| old == text) {
+            continue;
+        }
+        let folder = path.parent().unwrap_or(root);
+        std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+        std::fs::write(&path, text).map_err(|e| format!("{}: {e}", path.display()))?;
+    }
+    Ok(())
+}
+
+/// The text of a `mod.rs` of generated modules.
+fn module(doc: &str, names: &[&str]) -> String {
+    let mut out = format!("//! {doc}\n//!\n//! Written by `gks-spec generate`; do not edit.\n");
+    for name in names {
+        out += &format!("\n#[rustfmt::skip]\npub mod {name};\n");
+    }
+    out
+}
