@@ -146,7 +146,7 @@ pub(crate) fn generate(tables: &Tables) -> String {
 fn write_enumeration(out: &mut String, enumeration: &Enumeration) {
     let _ = writeln!(
         out,
-        "\n/// The {}.\n#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]\n#[repr(u8)]\npub enum {} {{",
+        "\n/// The {}.\n#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]\n#[repr(u8)]\npub enum {} {{",
         enumeration.name, enumeration.rust
     );
     for value in &enumeration.values {
@@ -180,6 +180,8 @@ pub(crate) fn state_bit(state: &str) -> u8 {
 /// The name of the enumeration variant: `SET POLYLINE INDEX` becomes `SetPolylineIndex`.
 pub(crate) fn variant(name: &str) -> String {
     name.split(' ')
-        .map(|word| word.get(..1).unwrap_or_default().to_owned() + &word.get(1..).unwrap_or_default().to_lowercase())
+        .map(|word| {
+            word.get(..1).unwrap_or_default().to_owned() + &word.get(1..).unwrap_or_default().to_lowercase()
+        })
         .collect()
 }

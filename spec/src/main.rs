@@ -17,7 +17,9 @@ type Generator = fn(&Tables) -> String;
 
 /// The generated files, as paths from the top of the repository, and what writes them.
 const OUTPUTS: &[(&str, Generator)] = &[
-    ("kernel/gks/src/generated/mod.rs", |_| module("Copied out of the tables in `spec/gks`.", &["error_text", "function"])),
+    ("kernel/gks/src/generated/mod.rs", |_| {
+        module("Copied out of the tables in `spec/gks`.", &["error_text", "function"])
+    }),
     ("kernel/gks/src/generated/function.rs", function::generate),
     ("kernel/gks/src/generated/error_text.rs", error_text::generate),
     ("kernel/pipeline/src/generated/mod.rs", |_| module("Copied out of `spec/numbers.toml`.", &["numbers"])),
@@ -27,11 +29,12 @@ const OUTPUTS: &[(&str, Generator)] = &[
 fn main() -> ExitCode {
     let root = repository();
     let command = std::env::args().nth(1).unwrap_or_default();
-    let result = Tables::load(&root.join("spec")).map_err(|e| vec![e]).and_then(|tables| match command.as_str() {
-        "generate" => generate(&root, &tables).map_err(|e| vec![e]),
-        "check" => Ok(()),
-        _ => Err(vec!["usage: gks-spec check | generate".to_owned()]),
-    });
+    let result =
+        Tables::load(&root.join("spec")).map_err(|e| vec![e]).and_then(|tables| match command.as_str() {
+            "generate" => generate(&root, &tables).map_err(|e| vec![e]),
+            "check" => Ok(()),
+            _ => Err(vec!["usage: gks-spec check | generate".to_owned()]),
+        });
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(messages) => {

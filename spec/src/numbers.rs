@@ -116,7 +116,7 @@ pub struct PolylineBundle {
     /// The linewidth scale factor.
     pub linewidth: f64,
     /// The colour index.
-    pub colour: i32,
+    pub colour: u32,
 }
 
 /// A predefined polymarker bundle.
@@ -127,7 +127,7 @@ pub struct PolymarkerBundle {
     /// The marker size scale factor.
     pub size: f64,
     /// The colour index.
-    pub colour: i32,
+    pub colour: u32,
 }
 
 /// A predefined text bundle.
@@ -142,7 +142,7 @@ pub struct TextBundle {
     /// The character spacing.
     pub spacing: f64,
     /// The colour index.
-    pub colour: i32,
+    pub colour: u32,
 }
 
 /// A predefined fill area bundle.
@@ -153,7 +153,7 @@ pub struct FillAreaBundle {
     /// The style index.
     pub style: i32,
     /// The colour index.
-    pub colour: i32,
+    pub colour: u32,
 }
 
 /// A predefined pattern.
@@ -193,7 +193,7 @@ fn write_scalars(out: &mut String, numbers: &Numbers) {
     for (name, value) in &numbers.limits {
         let _ = writeln!(
             out,
-            "\n/// The limit of {}.\npub const MAX_{}: u32 = {value};",
+            "\n/// The greatest number of {}.\npub const MAX_{}: u32 = {value};",
             name.replace('_', " "),
             constant(name)
         );
@@ -234,7 +234,8 @@ fn write_looks(out: &mut String, numbers: &Numbers) {
     array(out, "LINETYPES", "Linetype", "The linetypes.", rows);
     let markers = numbers.marker.iter().map(|m| (m.number, m.name.as_str(), m.name.as_str()));
     module(out, "marker", "Marker type numbers.", markers);
-    let rows = numbers.marker.iter().map(|m| format!("Marker {{ number: {}, name: {:?} }}", m.number, m.name));
+    let rows =
+        numbers.marker.iter().map(|m| format!("Marker {{ number: {}, name: {:?} }}", m.number, m.name));
     array(out, "MARKERS", "Marker", "The marker types.", rows);
     let hatch = |number: i32, h: &crate::tables::Hatch| {
         let (name, angles, spacing) = (&h.name, &h.angles, h.spacing);
@@ -242,7 +243,13 @@ fn write_looks(out: &mut String, numbers: &Numbers) {
     };
     let own = numbers.hatch.iter().map(|h| hatch(h.number, h));
     let same = numbers.hatch.iter().filter_map(|h| h.same_as.map(|number| hatch(number, h)));
-    array(out, "HATCHES", "Hatch", "The hatch styles, the positive indices after the negative ones.", own.chain(same));
+    array(
+        out,
+        "HATCHES",
+        "Hatch",
+        "The hatch styles, the positive indices after the negative ones.",
+        own.chain(same),
+    );
 }
 
 fn write_functions(out: &mut String, numbers: &Numbers) {
@@ -259,7 +266,8 @@ fn write_functions(out: &mut String, numbers: &Numbers) {
         .escape
         .iter()
         .map(|e| {
-            let parts = [("integers", &e.integers), ("reals", &e.reals), ("integers out", &e.output_integers)];
+            let parts =
+                [("integers", &e.integers), ("reals", &e.reals), ("integers out", &e.output_integers)];
             let parts: Vec<String> = parts
                 .iter()
                 .filter(|(_, items)| !items.is_empty())
@@ -286,14 +294,22 @@ fn write_functions(out: &mut String, numbers: &Numbers) {
 fn write_bundles(out: &mut String, tables: &Tables) {
     let numbers = &tables.numbers;
     let rows = numbers.polyline_bundle.iter().map(|b| {
-        format!("PolylineBundle {{ linetype: {}, linewidth: {:?}, colour: {} }}", b.linetype, b.linewidth, b.colour)
+        format!(
+            "PolylineBundle {{ linetype: {}, linewidth: {:?}, colour: {} }}",
+            b.linetype, b.linewidth, b.colour
+        )
     });
     array(out, "POLYLINE_BUNDLES", "PolylineBundle", "The predefined polyline bundles 1, 2, ....", rows);
-    let rows = numbers
-        .polymarker_bundle
-        .iter()
-        .map(|b| format!("PolymarkerBundle {{ marker: {}, size: {:?}, colour: {} }}", b.marker, b.size, b.colour));
-    array(out, "POLYMARKER_BUNDLES", "PolymarkerBundle", "The predefined polymarker bundles 1, 2, ....", rows);
+    let rows = numbers.polymarker_bundle.iter().map(|b| {
+        format!("PolymarkerBundle {{ marker: {}, size: {:?}, colour: {} }}", b.marker, b.size, b.colour)
+    });
+    array(
+        out,
+        "POLYMARKER_BUNDLES",
+        "PolymarkerBundle",
+        "The predefined polymarker bundles 1, 2, ....",
+        rows,
+    );
     let rows = numbers.text_bundle.iter().map(|b| {
         format!(
             "TextBundle {{ font: {}, precision: {}, expansion: {:?}, spacing: {:?}, colour: {} }}",
@@ -311,7 +327,8 @@ fn write_bundles(out: &mut String, tables: &Tables) {
     });
     array(out, "FILL_AREA_BUNDLES", "FillAreaBundle", "The predefined fill area bundles 1, 2, ....", rows);
     let rows = numbers.pattern.iter().map(|p| {
-        let cells: Vec<u32> = p.rows.iter().flat_map(|row| row.chars().filter_map(|c| c.to_digit(10))).collect();
+        let cells: Vec<u32> =
+            p.rows.iter().flat_map(|row| row.chars().filter_map(|c| c.to_digit(10))).collect();
         let columns = p.rows.first().map_or(0, String::len);
         format!("Pattern {{ columns: {columns}, rows: {}, cells: &{cells:?} }}", p.rows.len())
     });
@@ -322,19 +339,25 @@ fn write_colours(out: &mut String, numbers: &Numbers) {
     let names = numbers.colour.iter().enumerate().map(|(i, c)| (i as i32, c.name.as_str(), c.name.as_str()));
     module(out, "colour", "Indices of the named predefined colours.", names);
     let rows = colours(numbers).into_iter().map(|rgb| format!("{rgb:?}"));
-    array(out, "COLOURS", "[f64; 3]", "The predefined colours 0, 1, ...: red, green, blue from 0 to 1.", rows);
+    array(
+        out,
+        "COLOURS",
+        "[f32; 3]",
+        "The predefined colours 0, 1, ...: red, green, blue from 0 to 1.",
+        rows,
+    );
 }
 
 /// The predefined colour table: the listed colours, the cube, the ramp.
-pub(crate) fn colours(numbers: &Numbers) -> Vec<[f64; 3]> {
-    let mut table: Vec<[f64; 3]> = numbers.colour.iter().map(|c| c.rgb).collect();
+pub(crate) fn colours(numbers: &Numbers) -> Vec<[f32; 3]> {
+    let mut table: Vec<[f32; 3]> = numbers.colour.iter().map(|c| c.rgb).collect();
     let levels = numbers.colour_cube.levels;
-    let component = |level: usize| level as f64 / (levels - 1) as f64;
+    let component = |level: usize| level as f32 / (levels - 1) as f32;
     for cell in 0..levels.pow(3) {
         table.push([cell / (levels * levels), cell / levels % levels, cell % levels].map(component));
     }
     let count = numbers.grey_ramp.count;
-    table.extend((1..=count).map(|i| [i as f64 / (count + 1) as f64; 3]));
+    table.extend((1..=count).map(|i| [i as f32 / (count + 1) as f32; 3]));
     table
 }
 
@@ -349,7 +372,12 @@ fn value_of(tables: &Tables, enumeration: &str, name: &str) -> i32 {
 fn module<'a>(out: &mut String, name: &str, doc: &str, items: impl Iterator<Item = (i32, &'a str, &'a str)>) {
     let _ = writeln!(out, "\n/// {doc}\npub mod {name} {{");
     for (number, name, meaning) in items {
-        let _ = writeln!(out, "    /// {}.\n    pub const {}: i32 = {number};", sentence(meaning), constant(name));
+        let _ = writeln!(
+            out,
+            "    /// {}.\n    pub const {}: i32 = {number};",
+            sentence(meaning),
+            constant(name)
+        );
     }
     out.push_str("}\n");
 }

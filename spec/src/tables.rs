@@ -342,7 +342,7 @@ pub(crate) struct Pattern {
 #[serde(deny_unknown_fields)]
 pub(crate) struct Colour {
     pub(crate) name: String,
-    pub(crate) rgb: [f64; 3],
+    pub(crate) rgb: [f32; 3],
 }
 
 #[derive(Debug, Clone, Deserialize)]

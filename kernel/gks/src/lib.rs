@@ -1,1 +1,3 @@
-//! (placeholder)
+//! GKS, the Graphical Kernel System (ISO 7942).
+
+pub mod generated;

@@ -9,6 +9,7 @@ pub mod colour;
 pub mod description;
 pub mod device;
 pub mod font;
+pub mod generated;
 pub mod item;
 pub mod look;
 pub mod tables;

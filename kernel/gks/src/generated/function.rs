@@ -3,7 +3,7 @@
 //! Written by `gks-spec generate` from `spec/gks/functions.toml`; do not edit.
 
 /// The operating state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum OperatingState {
     /// GGKCL.
@@ -19,7 +19,7 @@ pub enum OperatingState {
 }
 
 /// The level of GKS.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum Level {
     /// GL0A.

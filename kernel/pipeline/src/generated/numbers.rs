@@ -110,7 +110,7 @@ pub struct PolylineBundle {
     /// The linewidth scale factor.
     pub linewidth: f64,
     /// The colour index.
-    pub colour: i32,
+    pub colour: u32,
 }
 
 /// A predefined polymarker bundle.
@@ -121,7 +121,7 @@ pub struct PolymarkerBundle {
     /// The marker size scale factor.
     pub size: f64,
     /// The colour index.
-    pub colour: i32,
+    pub colour: u32,
 }
 
 /// A predefined text bundle.
@@ -136,7 +136,7 @@ pub struct TextBundle {
     /// The character spacing.
     pub spacing: f64,
     /// The colour index.
-    pub colour: i32,
+    pub colour: u32,
 }
 
 /// A predefined fill area bundle.
@@ -147,7 +147,7 @@ pub struct FillAreaBundle {
     /// The style index.
     pub style: i32,
     /// The colour index.
-    pub colour: i32,
+    pub colour: u32,
 }
 
 /// A predefined pattern.
@@ -170,35 +170,35 @@ pub const NOMINAL_LINEWIDTH: f64 = 0.001;
 /// The nominal marker size, as a fraction of the shorter side of the display surface.
 pub const NOMINAL_MARKER_SIZE: f64 = 0.006;
 
-/// The limit of active workstations.
+/// The greatest number of active workstations.
 pub const MAX_ACTIVE_WORKSTATIONS: u32 = 32;
 
-/// The limit of colours.
+/// The greatest number of colours.
 pub const MAX_COLOURS: u32 = 65536;
 
-/// The limit of fill area bundles.
+/// The greatest number of fill area bundles.
 pub const MAX_FILL_AREA_BUNDLES: u32 = 1024;
 
-/// The limit of normalization transformation.
-pub const MAX_NORMALIZATION_TRANSFORMATION: u32 = 255;
+/// The greatest number of normalization transformations.
+pub const MAX_NORMALIZATION_TRANSFORMATIONS: u32 = 255;
 
-/// The limit of open workstations.
+/// The greatest number of open workstations.
 pub const MAX_OPEN_WORKSTATIONS: u32 = 32;
 
-/// The limit of patterns.
+/// The greatest number of patterns.
 pub const MAX_PATTERNS: u32 = 1024;
 
-/// The limit of polyline bundles.
+/// The greatest number of polyline bundles.
 pub const MAX_POLYLINE_BUNDLES: u32 = 1024;
 
-/// The limit of polymarker bundles.
+/// The greatest number of polymarker bundles.
 pub const MAX_POLYMARKER_BUNDLES: u32 = 1024;
 
-/// The limit of text bundles.
+/// The greatest number of text bundles.
 pub const MAX_TEXT_BUNDLES: u32 = 1024;
 
-/// The limit of workstations of segment.
-pub const MAX_WORKSTATIONS_OF_SEGMENT: u32 = 32;
+/// The greatest number of workstations of a segment.
+pub const MAX_WORKSTATIONS_OF_A_SEGMENT: u32 = 32;
 
 /// The error number of the bindings for: level not built.
 pub const ERROR_LEVEL_NOT_BUILT: i32 = -3100;
@@ -544,7 +544,7 @@ pub mod colour {
 }
 
 /// The predefined colours 0, 1, ...: red, green, blue from 0 to 1.
-pub static COLOURS: &[[f64; 3]] = &[
+pub static COLOURS: &[[f32; 3]] = &[
     [1.0, 1.0, 1.0],
     [0.0, 0.0, 0.0],
     [1.0, 0.0, 0.0],
