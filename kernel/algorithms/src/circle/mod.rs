@@ -1,0 +1,5 @@
+//! Circles and circular arcs.
+
+mod three_points;
+
+pub use three_points::{Arc, three_points};

@@ -1,0 +1,124 @@
+//! G.-Z. Wang, "The subdivision method for finding the intersection between two Bezier curves or surfaces", Zhejiang
+//! University Journal, 1984; R. N. Goldman, "Pyramid Algorithms", Morgan Kaufmann 2003, section 5.6.3: how many chords a
+//! Bezier curve needs.
+
+use crate::path::is_usable;
+use glam::DVec2;
+
+/// The most chords a curve is given, however small the tolerance.
+const MOST_CHORDS: f64 = 16_384.0;
+
+/// Appends the points of a quadratic Bezier curve after its first, no chord farther from it than the tolerance.
+///
+/// The last point is the end as given. A curve with a control point that is not usable is taken as the straight line to
+/// its end. There are at most 16384 chords.
+pub fn quadratic(curve: [DVec2; 3], tolerance: f64, points: &mut Vec<DVec2>) {
+    let [a, b, c] = curve;
+    let bend = (a - b - b + c).length();
+    let chords = chords(2.0 * bend / 8.0, tolerance, &curve);
+    for i in 1..chords {
+        let t = f64::from(i) / f64::from(chords);
+        let s = 1.0 - t;
+        points.push(a * (s * s) + b * (2.0 * s * t) + c * (t * t));
+    }
+    points.push(c);
+}
+
+/// Appends the points of a cubic Bezier curve after its first; in all else as [`quadratic`].
+pub fn cubic(curve: [DVec2; 4], tolerance: f64, points: &mut Vec<DVec2>) {
+    let [a, b, c, d] = curve;
+    let bend = (a - b - b + c).length().max((b - c - c + d).length());
+    let chords = chords(6.0 * bend / 8.0, tolerance, &curve);
+    for i in 1..chords {
+        let t = f64::from(i) / f64::from(chords);
+        let s = 1.0 - t;
+        points.push(a * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + d * (t * t * t));
+    }
+    points.push(d);
+}
+
+/// Appends the points of a chain of cubic Bezier pieces, the first included.
+///
+/// Control points too few to make a piece at the end are left out.
+pub fn chain(control: &[DVec2], tolerance: f64, points: &mut Vec<DVec2>) {
+    let Some((&first, rest)) = control.split_first() else { return };
+    points.push(first);
+    let mut from = first;
+    for piece in rest.chunks_exact(3) {
+        cubic([from, piece[0], piece[1], piece[2]], tolerance, points);
+        from = piece[2];
+    }
+}
+
+/// Wang's bound: n chords stray by no more than d (d - 1) / 8 of the greatest second difference, divided by n².
+fn chords(bulge: f64, tolerance: f64, curve: &[DVec2]) -> u32 {
+    if !curve.iter().copied().all(is_usable) || bulge == 0.0 {
+        return 1;
+    }
+    (bulge / tolerance.max(0.0)).sqrt().ceil().clamp(1.0, MOST_CHORDS) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::xorshift::Xorshift;
+
+    fn strays(p: DVec2, line: &[DVec2]) -> f64 {
+        let to = |w: &[DVec2]| {
+            let u = w[1] - w[0];
+            let t = ((p - w[0]).dot(u) / u.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+            p.distance(w[0] + u * t)
+        };
+        line.windows(2).map(to).fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn chords_stay_within_the_tolerance() {
+        let mut random = Xorshift::new(14);
+        for _ in 0..100 {
+            let p: [DVec2; 4] = std::array::from_fn(|_| random.point(-50.0, 50.0));
+            let tolerance = random.real(0.01, 2.0);
+            let mut lines = [vec![p[0]], vec![p[0]]];
+            quadratic([p[0], p[1], p[2]], tolerance, &mut lines[0]);
+            cubic(p, tolerance, &mut lines[1]);
+            assert_eq!((lines[0].last(), lines[1].last()), (Some(&p[2]), Some(&p[3])));
+            for i in 0..=200 {
+                let t = f64::from(i) / 200.0;
+                // De Casteljau's construction, independent of the polynomials above.
+                let q: [DVec2; 3] = std::array::from_fn(|i| p[i].lerp(p[i + 1], t));
+                let r: [DVec2; 2] = std::array::from_fn(|i| q[i].lerp(q[i + 1], t));
+                assert!(strays(r[0], &lines[0]) <= tolerance + 1e-9);
+                assert!(strays(r[0].lerp(r[1], t), &lines[1]) <= tolerance + 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn the_number_of_chords_grows_with_the_root() {
+        let curve = [DVec2::ZERO, DVec2::new(50.0, 100.0), DVec2::new(100.0, 0.0)];
+        let count = |tolerance: f64| {
+            let mut points = vec![];
+            quadratic(curve, tolerance, &mut points);
+            points.len()
+        };
+        assert_eq!((count(50.0), count(0.5), count(0.005)), (1, 10, 100));
+        assert_eq!((count(0.0), count(f64::NAN), count(-1.0)), (16_384, 16_384, 16_384));
+    }
+
+    #[test]
+    fn straight_and_bad_curves_are_one_chord() {
+        let mut points = vec![];
+        cubic([0.0, 1.0, 2.0, 3.0].map(DVec2::splat), 0.0, &mut points);
+        quadratic([DVec2::ZERO, DVec2::NAN, DVec2::ONE], 0.1, &mut points);
+        assert_eq!(points, [DVec2::splat(3.0), DVec2::ONE]);
+    }
+
+    #[test]
+    fn a_chain_runs_on_and_drops_the_rest() {
+        let control: Vec<DVec2> = (0..9).map(|i| DVec2::splat(f64::from(i))).collect();
+        let mut points = vec![];
+        chain(&control, 0.1, &mut points);
+        chain(&[], 0.1, &mut points);
+        assert_eq!(points, [0.0, 3.0, 6.0].map(DVec2::splat));
+    }
+}

@@ -1,0 +1,5 @@
+//! Ellipses: given by a centre and two conjugate half diameters.
+
+mod flatten;
+
+pub use flatten::flatten;

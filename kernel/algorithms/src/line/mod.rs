@@ -1,0 +1,5 @@
+//! Lines: dashing and reducing polylines.
+
+mod dash;
+
+pub use dash::dash;
