@@ -1,3 +1,18 @@
-//! GKS, the Graphical Kernel System (ISO 7942).
+//! GKS, the Graphical Kernel System (ISO 7942): state lists and functions.
+//!
+//! [`Gks`] is the kernel as a value; every function of the standard is a method of it.
 
+mod attributes;
+mod control;
+mod error;
 pub mod generated;
+mod gks;
+mod normalization;
+mod output;
+mod points;
+
+pub use crate::error::{Error, Result};
+pub use crate::generated::function::{Function, Level, OperatingState, StateMask};
+pub use crate::gks::{Defaults, Gks, MessageHandler};
+pub use crate::normalization::{NormalizationTransformation, RelativePriority};
+pub use crate::points::Points;

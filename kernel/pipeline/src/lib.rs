@@ -1,9 +1,9 @@
 //! What GKS and PHIGS share, from the item to the device.
 //!
 //! An [`item::Item`] is the waist: a primitive with its unresolved look in normalized device coordinates.
-//! A workstation resolves the look by its own tables, maps the item to its display surface,
+//! A [`workstation::Workstation`] resolves the look by its own tables, maps the item to its display surface,
 //! clips it, and offers what remains to its [`device::Device`]; what the device refuses is taken apart
-//!  until it is drawn.
+//! ([`lower`]) until it is drawn.
 
 pub mod colour;
 pub mod description;
@@ -12,4 +12,7 @@ pub mod font;
 pub mod generated;
 pub mod item;
 pub mod look;
+pub mod lower;
+pub mod painter;
 pub mod tables;
+pub mod workstation;

@@ -1,7 +1,8 @@
 //! The bundle, pattern and colour tables of one workstation, and how a look is resolved by them.
 
 use crate::colour::{Colour, Paint};
-use crate::look::{Aspect, FillBundle, LineBundle, Look, MarkerBundle, TextBundle};
+use crate::generated::numbers;
+use crate::look::{Aspect, FillBundle, InteriorStyle, LineBundle, Look, MarkerBundle, Precision, TextBundle};
 use std::collections::BTreeMap;
 
 /// A pattern: colour indices of `columns` x `rows` cells, row by row from the top.
@@ -85,11 +86,54 @@ impl Colours {
     }
 }
 
+/// Entries with the indices 1, 2, ...
+fn numbered<B>(entries: impl Iterator<Item = B>) -> BTreeMap<u32, B> {
+    (1..).zip(entries).collect()
+}
+
 fn entry<B: Copy>(table: &BTreeMap<u32, B>, index: u32, otherwise: B) -> B {
     table.get(&index).or_else(|| table.get(&1)).copied().unwrap_or(otherwise)
 }
 
 impl Tables {
+    /// The tables that OPEN WORKSTATION sets: the predefined bundles, patterns and colours.
+    pub fn predefined() -> Self {
+        let mut colours = Colours::default();
+        for (index, &[red, green, blue]) in numbers::COLOURS.iter().enumerate() {
+            colours.set(index as u32, Colour::rgb(red, green, blue));
+        }
+        Tables {
+            lines: numbered(numbers::POLYLINE_BUNDLES.iter().map(|b| LineBundle {
+                linetype: b.linetype,
+                width: b.linewidth,
+                colour: b.colour,
+            })),
+            markers: numbered(numbers::POLYMARKER_BUNDLES.iter().map(|b| MarkerBundle {
+                kind: b.marker,
+                size: b.size,
+                colour: b.colour,
+            })),
+            texts: numbered(numbers::TEXT_BUNDLES.iter().map(|b| TextBundle {
+                font: b.font,
+                precision: Precision::from_number(b.precision.into()).unwrap_or(Precision::Stroke),
+                expansion: b.expansion,
+                spacing: b.spacing,
+                colour: b.colour,
+            })),
+            fills: numbered(numbers::FILL_AREA_BUNDLES.iter().map(|b| FillBundle {
+                interior: InteriorStyle::from_number(b.interior.into()).unwrap_or(InteriorStyle::Hollow),
+                style: b.style,
+                colour: b.colour,
+            })),
+            patterns: numbered(numbers::PATTERNS.iter().map(|p| Pattern {
+                columns: p.columns,
+                rows: p.rows,
+                indices: p.cells.to_vec(),
+            })),
+            colours,
+        }
+    }
+
     /// The polyline aspects that hold on this workstation.
     pub fn line(&self, look: &Look) -> LineBundle {
         let own = look.line;

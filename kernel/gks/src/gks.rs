@@ -1,0 +1,158 @@
+//! The kernel as a value.
+
+use crate::attributes::Geometry;
+use crate::normalization::Normalization;
+use crate::{Error, Function, OperatingState, Result};
+use gks_geometry::{Ndc, PathBuf};
+use gks_pipeline::description::Catalogue;
+use gks_pipeline::item::{Item, Shape};
+use gks_pipeline::look::Look;
+use gks_pipeline::workstation::Workstation;
+use std::collections::BTreeMap;
+
+/// A Graphical Kernel System: operating state, state lists and open workstations.
+///
+/// Every function of the standard is a method with the standard's name. Several kernels may live in one
+/// process and on several threads; they share nothing.
+pub struct Gks {
+    pub(crate) state: OperatingState,
+    pub(crate) catalogue: Box<dyn Catalogue>,
+    pub(crate) defaults: Defaults,
+    /// Individual attributes and bundle indices; geometric attributes in NDC, current where
+    /// `geometry_stale` is not set.
+    pub(crate) look: Look,
+    /// Geometric attributes in world coordinates.
+    pub(crate) geometry: Geometry,
+    /// Whether the geometric attributes in `look` have to be mapped again before they are used.
+    pub(crate) geometry_stale: bool,
+    pub(crate) normalization: Normalization,
+    /// Open workstations by workstation identifier.
+    pub(crate) workstations: BTreeMap<i32, OpenWorkstation>,
+    pub(crate) paths: PathBuf<Ndc>,
+    pub(crate) on_message: Option<MessageHandler>,
+}
+
+/// What is done with the text of MESSAGE: called with the workstation identifier and the text.
+pub type MessageHandler = Box<dyn FnMut(i32, &str) + Send>;
+
+/// An entry of the set of open workstations.
+pub(crate) struct OpenWorkstation {
+    pub(crate) workstation: Workstation,
+    pub(crate) connection: String,
+    pub(crate) kind: i32,
+    pub(crate) active: bool,
+}
+
+/// The initial values that implementations and dialects choose differently.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Defaults {
+    /// The attributes that OPEN GKS sets.
+    pub look: Look,
+}
+
+impl Default for Defaults {
+    /// The library's own choice: aspect source flags INDIVIDUAL, interior style HOLLOW.
+    fn default() -> Self {
+        Defaults { look: Look::default() }
+    }
+}
+
+impl Gks {
+    /// A closed kernel that opens workstations through `catalogue`.
+    pub fn new(catalogue: Box<dyn Catalogue>) -> Self {
+        Gks::with_defaults(catalogue, Defaults::default())
+    }
+
+    /// A closed kernel with initial values of a dialect.
+    pub fn with_defaults(catalogue: Box<dyn Catalogue>, defaults: Defaults) -> Self {
+        Gks {
+            state: OperatingState::Gkcl,
+            catalogue,
+            look: defaults.look.clone(),
+            defaults,
+            geometry: Geometry::default(),
+            geometry_stale: true,
+            normalization: Normalization::default(),
+            workstations: BTreeMap::new(),
+            paths: PathBuf::new(),
+            on_message: None,
+        }
+    }
+
+    /// An open kernel: [`Gks::new`] and OPEN GKS.
+    pub fn open(catalogue: Box<dyn Catalogue>) -> Self {
+        let mut gks = Gks::new(catalogue);
+        gks.reset();
+        gks.state = OperatingState::Gkop;
+        gks
+    }
+
+    /// Sets what is done with the text of MESSAGE.
+    pub fn on_message(&mut self, handler: MessageHandler) {
+        self.on_message = Some(handler);
+    }
+
+    /// Sets all state lists to their initial values.
+    pub(crate) fn reset(&mut self) {
+        self.look = self.defaults.look.clone();
+        self.geometry = Geometry::default();
+        self.geometry_stale = true;
+        self.normalization = Normalization::default();
+    }
+
+    /// Checks that `function` may be called in the current operating state.
+    #[inline]
+    pub(crate) fn check_state(&self, function: Function) -> Result<()> {
+        if function.states().contains(self.state) { Ok(()) } else { Err(wrong_state(function)) }
+    }
+
+    /// The open workstation with an identifier. Errors: 20, 25.
+    pub(crate) fn workstation(&self, function: Function, id: i32) -> Result<&OpenWorkstation> {
+        match self.workstations.get(&id) {
+            Some(open) => Ok(open),
+            None => Err(not_open(function, id)),
+        }
+    }
+
+    /// The open workstation with an identifier, to be changed. Errors: 20, 25.
+    pub(crate) fn workstation_mut(&mut self, function: Function, id: i32) -> Result<&mut OpenWorkstation> {
+        match self.workstations.get_mut(&id) {
+            Some(open) => Ok(open),
+            None => Err(not_open(function, id)),
+        }
+    }
+
+    /// Draws a primitive with the current attributes on every active workstation.
+    ///
+    /// A device that fails does not keep the others from drawing; the first failure is reported.
+    pub(crate) fn output(&mut self, function: Function, shape: Shape<'_>) -> Result<()> {
+        let item = Item { shape, look: &self.look, clip: self.normalization.clip };
+        let mut failure = Ok(());
+        for open in self.workstations.values_mut().filter(|open| open.active) {
+            let drawn = open.workstation.draw(&item).map_err(|e| device_error(function, &e));
+            failure = failure.and(drawn);
+        }
+        failure
+    }
+}
+
+#[cold]
+fn wrong_state(function: Function) -> Error {
+    Error::new(function.state_error(), function)
+}
+
+#[cold]
+fn not_open(function: Function, id: i32) -> Error {
+    let number = if id < 1 { 20 } else { 25 };
+    Error::new(number, function).because(format!("workstation identifier {id}"))
+}
+
+/// The error of the standard for a device that failed: 303 for bytes that could not be written, 304 else.
+#[cold]
+pub(crate) fn device_error(function: Function, error: &gks_pipeline::device::DeviceError) -> Error {
+    let number = match error {
+        gks_pipeline::device::DeviceError::Io(_) => 303,
+        gks_pipeline::device::DeviceError::Encode(_) => 304,
+    };
+    Error::new(number, function).because(error.to_string())
+}

@@ -1,0 +1,142 @@
+//! Output primitives.
+
+#![allow(clippy::redundant_closure, reason = "enum variants are no functions of all lifetimes")]
+
+use crate::{Error, Function, Gks, Points, Result};
+use gks_geometry::{Ndc, Paths, Point, Wc};
+use gks_pipeline::item::{Cells, Parallelogram, Shape};
+
+impl Gks {
+    /// POLYLINE: lines from each point to the next.
+    ///
+    /// Points whose coordinates are not finite break the line. Errors: 5, 100 (fewer than two points).
+    pub fn polyline<'p>(&mut self, points: impl Into<Points<'p>>) -> Result<()> {
+        const F: Function = Function::Polyline;
+        self.check_state(F)?;
+        let points = points.into();
+        at_least(F, &points, 2)?;
+        self.normalize(&points, 2, true);
+        self.output_paths(F, |paths: Paths<'_, Ndc>| Shape::Polyline(paths))
+    }
+
+    /// POLYMARKER: a marker at each point.
+    ///
+    /// Points whose coordinates are not finite are left out. Errors: 5, 100 (no point).
+    pub fn polymarker<'p>(&mut self, points: impl Into<Points<'p>>) -> Result<()> {
+        const F: Function = Function::Polymarker;
+        self.check_state(F)?;
+        let points = points.into();
+        at_least(F, &points, 1)?;
+        self.normalize(&points, 1, false);
+        self.output_paths(F, |paths| Shape::Polymarker(paths.points))
+    }
+
+    /// TEXT: a string of characters at a position in world coordinates.
+    ///
+    /// Control characters are not drawn; nothing is drawn for an empty string or at a position that is not
+    /// finite. Error: 5.
+    pub fn text(&mut self, position: impl Into<Point<Wc>>, text: &str) -> Result<()> {
+        const F: Function = Function::Text;
+        self.check_state(F)?;
+        self.map_geometry();
+        let position = self.normalization.map.point(position.into());
+        if text.is_empty() || !position.is_finite() {
+            return Ok(());
+        }
+        self.output(F, Shape::Text(position, text))
+    }
+
+    /// FILL AREA: the area inside the closed polygon through the points.
+    ///
+    /// Points whose coordinates are not finite are left out. Errors: 5, 100 (fewer than three points).
+    pub fn fill_area<'p>(&mut self, points: impl Into<Points<'p>>) -> Result<()> {
+        const F: Function = Function::FillArea;
+        self.check_state(F)?;
+        let points = points.into();
+        at_least(F, &points, 3)?;
+        self.map_geometry();
+        self.normalize(&points, 3, false);
+        self.output_paths(F, |paths: Paths<'_, Ndc>| Shape::FillArea(paths))
+    }
+
+    /// CELL ARRAY: a rectangle with opposite corners `p` and `q`, divided into cells of one colour each.
+    ///
+    /// Cell (1, 1) lies at `p`, columns advance in x and rows in y from there. Errors: 5, 91 (dimensions).
+    pub fn cell_array(
+        &mut self,
+        p: impl Into<Point<Wc>>,
+        q: impl Into<Point<Wc>>,
+        cells: &Cells<'_>,
+    ) -> Result<()> {
+        const F: Function = Function::CellArray;
+        self.check_state(F)?;
+        let (p, q): (Point<Wc>, Point<Wc>) = (p.into(), q.into());
+        let map = &self.normalization.map;
+        let origin = map.point(p);
+        let columns = map.point(Point::new(q.x(), p.y())) - origin;
+        let rows = map.point(Point::new(p.x(), q.y())) - origin;
+        if !(origin.is_finite() && columns.0.is_finite() && rows.0.is_finite()) {
+            return Ok(());
+        }
+        self.output(F, Shape::CellArray(Parallelogram { origin, columns, rows }, *cells))
+    }
+
+    /// CELL ARRAY from an array as bindings have it: `columns` x `rows` cells, rows `stride` indices apart.
+    ///
+    /// Errors: 5, 91 (a dimension is not positive, or the array too small).
+    pub fn cell_array_of(
+        &mut self,
+        p: impl Into<Point<Wc>>,
+        q: impl Into<Point<Wc>>,
+        indices: &[i32],
+        columns: usize,
+        rows: usize,
+        stride: usize,
+    ) -> Result<()> {
+        const F: Function = Function::CellArray;
+        self.check_state(F)?;
+        let cells = Cells::new(indices, columns, rows, stride)
+            .ok_or_else(|| Error::new(91, F).because(format!("{columns} x {rows} cells")))?;
+        self.cell_array(p, q, &cells)
+    }
+
+    /// Takes points to NDC, into `self.paths`. A point that is not finite ends a path if `breaks`, and is
+    /// left out otherwise; paths of fewer than `least` points are dropped.
+    pub(crate) fn normalize(&mut self, points: &Points<'_>, least: usize, breaks: bool) {
+        let map = self.normalization.map.0;
+        let paths = &mut self.paths;
+        paths.clear();
+        paths.points.reserve(points.len());
+        points.for_each(|p| {
+            let p = map.transform_point2(p);
+            if p.is_finite() {
+                paths.push(p);
+            } else if breaks {
+                paths.end_or_drop(least);
+            }
+        });
+        paths.end_or_drop(least);
+    }
+
+    /// Draws the paths in `self.paths`, if there are any.
+    fn output_paths(
+        &mut self,
+        function: Function,
+        shape: impl for<'s> FnOnce(Paths<'s, Ndc>) -> Shape<'s>,
+    ) -> Result<()> {
+        if self.paths.ends.is_empty() {
+            return Ok(());
+        }
+        let paths = std::mem::take(&mut self.paths);
+        let drawn = self.output(function, shape(paths.as_paths()));
+        self.paths = paths;
+        drawn
+    }
+}
+
+fn at_least(function: Function, points: &Points<'_>, least: usize) -> Result<()> {
+    if points.len() < least {
+        return Err(Error::new(100, function).because(format!("{} points", points.len())));
+    }
+    Ok(())
+}

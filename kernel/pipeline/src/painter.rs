@@ -1,0 +1,404 @@
+//! The way of an item to the device: resolve, map, clip, offer, lower.
+//!
+//! Order matters and is the same for every device. Attributes are resolved by the tables of the
+//! workstation; the item is mapped to device units in one pass; what lies outside the clipping rectangle is
+//! dropped, what crosses it is offered with the rectangle to a device that can clip by itself, and else
+//! simplified until exact clipping is possible: a dashed line is cut into dashes before it is clipped, so
+//! that the dashes keep their phase; text becomes outlines before it is clipped.
+
+use crate::colour::Paint;
+use crate::device::{Device, DeviceError, Drawn, Fill, Form, Mark, Pen, Rule, Surface};
+use crate::item::{Cells, Curve, Item, Parallelogram, Role, Shape};
+use crate::look::{Cap, InteriorStyle, Join, Look};
+use crate::lower;
+use crate::tables::Tables;
+use gks_algorithms as algorithms;
+use gks_algorithms::clip::sutherland_hodgman;
+use gks_algorithms::fill::Hatch;
+use gks_geometry::{Du, Map, Ndc, PathBuf, Paths, Rect};
+use glam::DVec2;
+
+/// The most dashes that one polyline is cut into; beyond, it is drawn solid.
+const MOST_DASHES: usize = 10_000_000;
+
+/// Paints items on one device; owns the scratch space that makes painting free of allocations.
+#[derive(Default)]
+pub struct Painter {
+    mapped: PathBuf<Du>,
+    clipped: PathBuf<Du>,
+    pub(crate) lowered: PathBuf<Du>,
+    pieces: PathBuf<Du>,
+    outlines: PathBuf<Du>,
+    dash: Vec<f64>,
+    pub(crate) hatch: Hatch,
+    paints: Vec<Paint>,
+}
+
+/// Where an item is painted: a device with the transformation and the tables of its workstation.
+pub struct Canvas<'a> {
+    /// The device, with a page begun.
+    pub device: &'a mut dyn Device,
+    /// Its display surface.
+    pub surface: &'a Surface,
+    /// The tables of the workstation.
+    pub tables: &'a Tables,
+    /// The current workstation transformation, down to device units.
+    pub map: Map<Ndc, Du>,
+    /// The current workstation window, which always clips.
+    pub window: Rect<Ndc>,
+}
+
+impl Canvas<'_> {
+    /// Offers a mark to the device.
+    pub(crate) fn offer(&mut self, form: Form<'_>, clip: Option<Rect<Du>>) -> Result<Drawn, DeviceError> {
+        self.device.draw(&Mark { form, clip })
+    }
+
+    /// The largest deviation allowed when a curve becomes a polygon.
+    pub(crate) fn tolerance(&self) -> f64 {
+        self.surface.resolution * 0.1
+    }
+}
+
+/// What is to be clipped away of a mark, given its bounds: everything, nothing, or what crosses.
+enum Visibility {
+    Hidden,
+    Whole,
+    Crossing,
+}
+
+fn visibility(bounds: &Rect<Du>, clip: &Rect<Du>) -> Visibility {
+    if !bounds.meets(clip) {
+        Visibility::Hidden
+    } else if clip.contains_rect(bounds) {
+        Visibility::Whole
+    } else {
+        Visibility::Crossing
+    }
+}
+
+impl Painter {
+    /// Paints an item.
+    pub fn paint(&mut self, item: &Item<'_>, canvas: &mut Canvas<'_>) -> Result<(), DeviceError> {
+        let Some(clip) = item.clip.intersection(&canvas.window) else { return Ok(()) };
+        let clip = canvas.map.rect(&clip);
+        match item.shape {
+            Shape::Polyline(paths) => self.polyline(paths, item.look, &clip, canvas),
+            Shape::Polymarker(positions) => self.polymarker(positions, item.look, &clip, canvas),
+            Shape::Text(..) => Ok(()),
+            Shape::FillArea(rings) => self.fill_area(rings, item.look, &clip, canvas),
+            Shape::CellArray(place, cells) => self.cell_array(&place, &cells, &clip, canvas),
+            Shape::Generalized(curve, role) => self.generalized(&curve, role, item.look, &clip, canvas),
+        }
+    }
+
+    fn polyline(
+        &mut self,
+        paths: Paths<'_, Ndc>,
+        look: &Look,
+        clip: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<(), DeviceError> {
+        let mut mapped = std::mem::take(&mut self.mapped);
+        mapped.clear();
+        mapped.add_mapped(paths, &canvas.map);
+        let mut dash = std::mem::take(&mut self.dash);
+        let pen = resolve_pen(look, canvas, &mut dash);
+        let done = self.lines(mapped.as_paths(), &pen, clip, canvas);
+        self.mapped = mapped;
+        self.dash = dash;
+        done
+    }
+
+    /// Draws lines inside of `clip`.
+    pub(crate) fn lines(
+        &mut self,
+        paths: Paths<'_, Du>,
+        pen: &Pen<'_>,
+        clip: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<(), DeviceError> {
+        let Some(bounds) = paths.bounds() else { return Ok(()) };
+        let crossing = match visibility(&bounds, clip) {
+            Visibility::Hidden => return Ok(()),
+            Visibility::Whole => None,
+            Visibility::Crossing => Some(*clip),
+        };
+        if !pen.dash.is_empty() {
+            if canvas.offer(Form::Lines(paths, *pen), crossing)? == Drawn::Yes {
+                return Ok(());
+            }
+            let mut pieces = std::mem::take(&mut self.pieces);
+            pieces.clear();
+            let around = clip.grown(pen.width);
+            let rect = (around.min.0, around.max.0);
+            for path in paths.iter() {
+                let (points, ends) = (&mut pieces.points, &mut pieces.ends);
+                algorithms::line::dash(rect, path, pen.dash, 0.0, MOST_DASHES, points, ends);
+            }
+            let done = self.lines(pieces.as_paths(), &Pen { dash: &[], ..*pen }, clip, canvas);
+            self.pieces = pieces;
+            return done;
+        }
+        let Some(clip) = crossing else { return must(canvas.offer(Form::Lines(paths, *pen), None)) };
+        let mut clipped = std::mem::take(&mut self.clipped);
+        clipped.clear();
+        for path in paths.iter() {
+            let rect = (clip.min.0, clip.max.0);
+            algorithms::clip::polyline(rect, path, &mut clipped.points, &mut clipped.ends);
+        }
+        let done = if clipped.ends.is_empty() {
+            Ok(())
+        } else {
+            must(canvas.offer(Form::Lines(clipped.as_paths(), *pen), None))
+        };
+        self.clipped = clipped;
+        done
+    }
+
+    /// Markers are drawn whole where their position is inside the clipping rectangle; only the workstation
+    /// window cuts them.
+    fn polymarker(
+        &mut self,
+        positions: &[DVec2],
+        look: &Look,
+        clip: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<(), DeviceError> {
+        let style = lower::marker::style(look, canvas);
+        let window = canvas.map.rect(&canvas.window);
+        let mut mapped = std::mem::take(&mut self.mapped);
+        mapped.clear();
+        let inside = |p: &DVec2| clip.contains(gks_geometry::Point::from_vec(*p));
+        mapped.add(positions.iter().map(|&p| canvas.map.0.transform_point2(p)).filter(inside));
+        let mut done = Ok(());
+        if let Some(bounds) = mapped.as_paths().bounds() {
+            let whole = window.contains_rect(&bounds.grown(style.size * 0.5));
+            let offered = Form::Markers(&mapped.points, style);
+            done = match canvas.offer(offered, (!whole).then_some(window)) {
+                Ok(Drawn::Yes) => Ok(()),
+                Ok(Drawn::No) => lower::marker::draw(self, &mapped.points, &style, &window, canvas),
+                Err(error) => Err(error),
+            };
+        }
+        self.mapped = mapped;
+        done
+    }
+
+    fn fill_area(
+        &mut self,
+        rings: Paths<'_, Ndc>,
+        look: &Look,
+        clip: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<(), DeviceError> {
+        let mut mapped = std::mem::take(&mut self.mapped);
+        mapped.clear();
+        mapped.add_mapped(rings, &canvas.map);
+        let done = self.area(mapped.as_paths(), look, clip, canvas);
+        self.mapped = mapped;
+        done
+    }
+
+    /// Draws an area, by the even-odd rule, with the fill area attributes of `look`.
+    pub(crate) fn area(
+        &mut self,
+        rings: Paths<'_, Du>,
+        look: &Look,
+        clip: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<(), DeviceError> {
+        let Some(bounds) = rings.bounds() else { return Ok(()) };
+        let crossing = match visibility(&bounds, clip) {
+            Visibility::Hidden => return Ok(()),
+            Visibility::Whole => false,
+            Visibility::Crossing => true,
+        };
+        let bundle = canvas.tables.fill(look);
+        let paint = canvas.tables.paint(bundle.colour);
+        match bundle.interior {
+            InteriorStyle::Solid => self.solid(rings, Rule::EvenOdd, paint, clip, canvas),
+            InteriorStyle::Pattern => {
+                let Some(place) = lower::pattern::place(look, bundle.style, canvas, &mut self.paints) else {
+                    return self.hollow(rings, crossing, paint, clip, canvas);
+                };
+                let paints = std::mem::take(&mut self.paints);
+                let (place, grid) = place.with(&paints);
+                let offered = Form::Area(rings, Rule::EvenOdd, Fill::Pattern(place, grid));
+                let done = match canvas.offer(offered, crossing.then_some(*clip)) {
+                    Ok(Drawn::No) => lower::pattern::draw(self, rings, &place, &grid, clip, canvas),
+                    Ok(Drawn::Yes) => Ok(()),
+                    Err(error) => Err(error),
+                };
+                self.paints = paints;
+                done
+            }
+            InteriorStyle::Hatch => {
+                let Some(style) = lower::hatch::style(bundle.style) else {
+                    return self.hollow(rings, crossing, paint, clip, canvas);
+                };
+                self.clipped_area(rings, crossing, clip, |painter, rings| {
+                    lower::hatch::draw(painter, rings, style, paint, clip, canvas)
+                })
+            }
+            InteriorStyle::Hollow => self.hollow(rings, crossing, paint, clip, canvas),
+        }
+    }
+
+    /// Calls `then` with the part of the area inside of `clip`.
+    pub(crate) fn clipped_area(
+        &mut self,
+        rings: Paths<'_, Du>,
+        crossing: bool,
+        clip: &Rect<Du>,
+        then: impl FnOnce(&mut Painter, Paths<'_, Du>) -> Result<(), DeviceError>,
+    ) -> Result<(), DeviceError> {
+        if !crossing {
+            return then(self, rings);
+        }
+        let mut outlines = std::mem::take(&mut self.outlines);
+        outlines.clear();
+        for ring in rings.iter() {
+            let rect = (clip.min.0, clip.max.0);
+            sutherland_hodgman(rect, ring, &mut outlines.points, &mut outlines.ends);
+        }
+        let done = if outlines.ends.is_empty() { Ok(()) } else { then(self, outlines.as_paths()) };
+        self.outlines = outlines;
+        done
+    }
+
+    fn hollow(
+        &mut self,
+        rings: Paths<'_, Du>,
+        crossing: bool,
+        paint: Paint,
+        clip: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<(), DeviceError> {
+        let pen = plain_pen(paint, canvas);
+        self.clipped_area(rings, crossing, clip, |painter, rings| {
+            let mut closed = std::mem::take(&mut painter.lowered);
+            closed.clear();
+            for ring in rings.iter() {
+                closed.add(ring.iter().copied().chain(ring.first().copied()));
+            }
+            let done = painter.lines(closed.as_paths(), &pen, clip, canvas);
+            painter.lowered = closed;
+            done
+        })
+    }
+
+    /// Fills an area with one colour inside of `clip`.
+    pub(crate) fn solid(
+        &mut self,
+        rings: Paths<'_, Du>,
+        rule: Rule,
+        paint: Paint,
+        clip: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<(), DeviceError> {
+        let Some(bounds) = rings.bounds() else { return Ok(()) };
+        let crossing = match visibility(&bounds, clip) {
+            Visibility::Hidden => return Ok(()),
+            Visibility::Whole => false,
+            Visibility::Crossing => true,
+        };
+        let fill = Fill::Solid(paint);
+        if canvas.offer(Form::Area(rings, rule, fill), crossing.then_some(*clip))? == Drawn::Yes {
+            return Ok(());
+        }
+        self.clipped_area(rings, crossing, clip, |painter, rings| {
+            if crossing && canvas.offer(Form::Area(rings, rule, fill), None)? == Drawn::Yes {
+                return Ok(());
+            }
+            lower::hatch::solid(painter, rings, rule, paint, clip, canvas)
+        })
+    }
+
+    fn cell_array(
+        &mut self,
+        place: &Parallelogram<Ndc>,
+        cells: &Cells<'_>,
+        clip: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<(), DeviceError> {
+        let place = place.mapped(&canvas.map);
+        let Some(bounds) = Rect::around(place.corners()) else { return Ok(()) };
+        let clip_at = match visibility(&bounds, clip) {
+            Visibility::Hidden => return Ok(()),
+            Visibility::Whole => None,
+            Visibility::Crossing => Some(*clip),
+        };
+        let mut paints = std::mem::take(&mut self.paints);
+        lower::cells::paints(cells, canvas.tables, &mut paints);
+        let grid = crate::device::Grid { paints: &paints, columns: cells.columns, rows: cells.rows };
+        let done = match canvas.offer(Form::Cells(place, grid), clip_at) {
+            Ok(Drawn::No) => lower::cells::draw(self, &place, &grid, clip, canvas),
+            Ok(Drawn::Yes) => Ok(()),
+            Err(error) => Err(error),
+        };
+        self.paints = paints;
+        done
+    }
+
+    fn generalized(
+        &mut self,
+        curve: &Curve<'_, Ndc>,
+        role: Role,
+        look: &Look,
+        clip: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<(), DeviceError> {
+        let mut mapped = std::mem::take(&mut self.mapped);
+        mapped.clear();
+        let curve = match *curve {
+            Curve::Ellipse(ellipse) => Curve::Ellipse(ellipse.mapped(&canvas.map)),
+            Curve::Bezier(points) => {
+                mapped.add(points.iter().map(|&p| canvas.map.0.transform_point2(p)));
+                Curve::Bezier(&mapped.points)
+            }
+        };
+        let done = lower::curve::draw(self, &curve, role, look, clip, canvas);
+        self.mapped = mapped;
+        done
+    }
+
+    /// Takes the dash buffer for a pen of the polyline attributes.
+    pub(crate) fn with_pen<R>(
+        &mut self,
+        look: &Look,
+        canvas: &mut Canvas<'_>,
+        then: impl FnOnce(&mut Painter, &Pen<'_>, &mut Canvas<'_>) -> R,
+    ) -> R {
+        let mut dash = std::mem::take(&mut self.dash);
+        let pen = resolve_pen(look, canvas, &mut dash);
+        let result = then(self, &pen, canvas);
+        self.dash = dash;
+        result
+    }
+}
+
+/// An unclipped solid polyline may not be refused.
+fn must(drawn: Result<Drawn, DeviceError>) -> Result<(), DeviceError> {
+    match drawn? {
+        Drawn::Yes => Ok(()),
+        Drawn::No => Err(DeviceError::Encode("the driver refuses solid lines".into())),
+    }
+}
+
+/// The pen for the boundary of hollow areas and for hatches: solid, of nominal width.
+pub(crate) fn plain_pen(paint: Paint, canvas: &Canvas<'_>) -> Pen<'static> {
+    Pen { paint, width: canvas.surface.nominal_linewidth(), dash: &[], cap: Cap::Round, join: Join::Round }
+}
+
+/// The pen that the polyline attributes of `look` mean on this workstation; its dashes are put into `dash`.
+fn resolve_pen<'d>(look: &Look, canvas: &Canvas<'_>, dash: &'d mut Vec<f64>) -> Pen<'d> {
+    let bundle = canvas.tables.line(look);
+    let nominal = canvas.surface.nominal_linewidth();
+    let width = lower::line::width(bundle.width, canvas.surface);
+    dash.clear();
+    // Dashes of wide lines grow with the width, or they would merge.
+    let unit = nominal.max(width * 0.5);
+    dash.extend(lower::line::dashes(bundle.linetype).iter().map(|d| d * unit));
+    Pen { paint: canvas.tables.paint(bundle.colour), width, dash, cap: look.cap, join: look.join }
+}

@@ -1,0 +1,249 @@
+//! A workstation: a device with tables, a transformation and a picture of its own.
+
+use crate::colour::Colour;
+use crate::description::{DeferralMode, Description, DynamicModification, RegenerationMode};
+use crate::device::{Device, DeviceError, FrameBuffer, Page};
+use crate::item::Item;
+use crate::painter::{Canvas, Painter};
+use crate::tables::Tables;
+use gks_geometry::{Dc, Du, Map, Ndc, Point, Rect};
+use glam::{DAffine2, DMat2, DVec2};
+
+/// The window and the viewport of a workstation transformation.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub struct WorkstationTransformation {
+    /// The part of NDC space that is shown.
+    pub window: Rect<Ndc>,
+    /// Where on the display surface it is shown, in metres.
+    pub viewport: Rect<Dc>,
+}
+
+/// An open workstation.
+pub struct Workstation {
+    device: Box<dyn Device>,
+    description: Description,
+    tables: Tables,
+    requested: WorkstationTransformation,
+    current: WorkstationTransformation,
+    pending: bool,
+    deferral: DeferralMode,
+    regeneration: RegenerationMode,
+    empty: bool,
+    new_frame_necessary: bool,
+    pages: u32,
+    begun: bool,
+    map: Map<Ndc, Du>,
+    painter: Painter,
+}
+
+impl Workstation {
+    /// A workstation on a device just opened, with the state that OPEN WORKSTATION sets.
+    pub fn new(device: Box<dyn Device>, description: Description, tables: Tables) -> Self {
+        let (width, height) = description.size();
+        let whole =
+            WorkstationTransformation { window: Rect::UNIT, viewport: Rect::new(0.0, width, 0.0, height) };
+        let mut workstation = Workstation {
+            device,
+            deferral: description.deferral,
+            regeneration: description.regeneration,
+            description,
+            tables,
+            requested: whole,
+            current: whole,
+            pending: false,
+            empty: true,
+            new_frame_necessary: false,
+            pages: 0,
+            begun: false,
+            map: Map::IDENTITY,
+            painter: Painter::default(),
+        };
+        workstation.adopt_requested();
+        workstation
+    }
+
+    /// What this workstation is able to do.
+    pub fn description(&self) -> &Description {
+        &self.description
+    }
+
+    /// The bundle, pattern and colour tables.
+    pub fn tables(&self) -> &Tables {
+        &self.tables
+    }
+
+    /// The bundle and pattern tables, to be changed. Colours are changed by [`Workstation::set_colour`].
+    pub fn tables_mut(&mut self) -> &mut Tables {
+        &mut self.tables
+    }
+
+    /// The transformation asked for.
+    pub fn requested(&self) -> WorkstationTransformation {
+        self.requested
+    }
+
+    /// The transformation in force.
+    pub fn current(&self) -> WorkstationTransformation {
+        self.current
+    }
+
+    /// Whether the transformation asked for is not yet in force.
+    pub fn is_pending(&self) -> bool {
+        self.pending
+    }
+
+    /// Whether nothing has been drawn since the display surface was cleared.
+    pub fn is_empty(&self) -> bool {
+        self.empty
+    }
+
+    /// Whether the next update has to start a new frame.
+    pub fn is_new_frame_necessary(&self) -> bool {
+        self.new_frame_necessary
+    }
+
+    /// Deferral mode and implicit regeneration mode.
+    pub fn deferral(&self) -> (DeferralMode, RegenerationMode) {
+        (self.deferral, self.regeneration)
+    }
+
+    /// The map from NDC to metres on the display surface that is in force.
+    pub fn device_map(&self) -> Map<Ndc, Dc> {
+        Map::window_into_viewport(&self.current.window, &self.current.viewport)
+    }
+
+    /// Draws an item.
+    pub fn draw(&mut self, item: &Item<'_>) -> Result<(), DeviceError> {
+        self.begin_page()?;
+        self.empty = false;
+        let Workstation { device, description, tables, painter, map, current, .. } = self;
+        let mut canvas = Canvas {
+            device: &mut **device,
+            surface: &description.surface,
+            tables,
+            map: *map,
+            window: current.window,
+        };
+        painter.paint(item, &mut canvas)
+    }
+
+    /// Clears the display surface if something is drawn on it, and lets the requested transformation take
+    /// effect. What was drawn is complete: a file that holds one page is written.
+    pub fn clear(&mut self) -> Result<(), DeviceError> {
+        let done = self.end_page();
+        self.empty = true;
+        self.new_frame_necessary = false;
+        self.adopt_requested();
+        done
+    }
+
+    /// Makes all that was drawn visible; starts a new frame if one is necessary and `perform` is set.
+    pub fn update(&mut self, perform: bool) -> Result<(), DeviceError> {
+        if perform && self.new_frame_necessary { self.clear() } else { Ok(()) }
+    }
+
+    /// Sets deferral mode and implicit regeneration mode.
+    pub fn set_deferral(
+        &mut self,
+        deferral: DeferralMode,
+        regeneration: RegenerationMode,
+    ) -> Result<(), DeviceError> {
+        self.deferral = deferral;
+        self.regeneration = regeneration;
+        self.update(regeneration == RegenerationMode::Allowed)
+    }
+
+    /// Asks for another workstation window.
+    pub fn set_window(&mut self, window: Rect<Ndc>) -> Result<(), DeviceError> {
+        self.requested.window = window;
+        self.transformation_changed()
+    }
+
+    /// Asks for another workstation viewport, in metres.
+    pub fn set_viewport(&mut self, viewport: Rect<Dc>) -> Result<(), DeviceError> {
+        self.requested.viewport = viewport;
+        self.transformation_changed()
+    }
+
+    fn transformation_changed(&mut self) -> Result<(), DeviceError> {
+        if self.empty || self.description.dynamic.transformation == DynamicModification::Imm {
+            self.adopt_requested();
+            return Ok(());
+        }
+        self.pending = true;
+        self.new_frame_necessary = true;
+        self.update(self.regeneration == RegenerationMode::Allowed)
+    }
+
+    fn adopt_requested(&mut self) {
+        self.current = self.requested;
+        self.pending = false;
+        let surface = &self.description.surface;
+        let per_metre = 1.0 / surface.unit;
+        let to_units = if surface.y_down {
+            DAffine2::from_mat2_translation(
+                DMat2::from_diagonal(DVec2::new(per_metre, -per_metre)),
+                DVec2::new(0.0, surface.height),
+            )
+        } else {
+            DAffine2::from_scale(DVec2::splat(per_metre))
+        };
+        self.map = self.device_map().then(&Map::from_affine(to_units));
+    }
+
+    /// Sets the colour of an index. Pixels that store the index change at once, everything else shows the
+    /// colour from now on; a changed background shows on the next page unless the current one is empty.
+    pub fn set_colour(&mut self, index: u32, colour: Colour) -> Result<(), DeviceError> {
+        self.tables.colours.set(index, colour);
+        if self.begun
+            && let Some(buffer) = self.device.frame_buffer()
+        {
+            buffer.set_colour(index, colour);
+        }
+        Ok(())
+    }
+
+    /// The pixels of the display surface, where they can be read back.
+    pub fn frame_buffer(&mut self) -> Result<Option<&mut dyn FrameBuffer>, DeviceError> {
+        self.begin_page()?;
+        Ok(self.device.frame_buffer())
+    }
+
+    /// The pixel (column, row) that contains a point given in NDC; may lie outside of the frame buffer.
+    pub fn pixel_at(&self, p: Point<Ndc>) -> (f64, f64) {
+        let p = self.map.point(p);
+        (p.x().floor(), p.y().floor())
+    }
+
+    /// Completes the picture and closes the device.
+    pub fn close(mut self) -> Result<(), DeviceError> {
+        // A program that draws nothing still finds the file it asked for.
+        let begun = if self.pages == 0 { self.begin_page() } else { Ok(()) };
+        let ended = self.end_page();
+        let closed = self.device.close();
+        begun.and(ended).and(closed)
+    }
+
+    fn begin_page(&mut self) -> Result<(), DeviceError> {
+        if self.begun {
+            return Ok(());
+        }
+        let page = Page {
+            number: self.pages + 1,
+            background: self.tables.background(),
+            colours: self.tables.colours.iter().collect(),
+        };
+        self.device.begin(&page)?;
+        self.pages += 1;
+        self.begun = true;
+        Ok(())
+    }
+
+    fn end_page(&mut self) -> Result<(), DeviceError> {
+        if !self.begun {
+            return Ok(());
+        }
+        self.begun = false;
+        self.device.end()
+    }
+}
