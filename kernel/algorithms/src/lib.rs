@@ -20,4 +20,6 @@ pub mod polygon;
 pub mod rect;
 
 #[cfg(test)]
+mod picture;
+#[cfg(test)]
 mod xorshift;
