@@ -4,15 +4,24 @@
 //! pixels, both included, one for each step along the longer axis, leaving out those outside the rectangle. Clipping
 //! moves no pixel, the same pixels come out from either end, and a segment costs as many steps as it has pixels in the
 //! columns (or rows) of the rectangle, however long it is.
+//!
+//! [`m4`] and [`sklansky_gonzalez`] reduce a polyline as it passes: they give some of its vertices, in order and bit for bit,
+//! always the first and the last, such that none left out is farther from the reduced line than the tolerance. They hold
+//! a few points at a time. A vertex that is not usable is passed on as it is, and what comes before and after it is
+//! reduced separately; with no tolerance hardly anything is left out.
 
 mod bresenham;
 mod dash;
 mod dda;
+mod m4;
 mod octant;
+mod sklansky_gonzalez;
 
 pub use bresenham::bresenham;
 pub use dash::dash;
 pub use dda::dda;
+pub use m4::m4;
+pub use sklansky_gonzalez::sklansky_gonzalez;
 
 #[cfg(test)]
 mod tests {
@@ -20,7 +29,7 @@ mod tests {
     use crate::picture::{Plotter, around, check_clipping, picture, pixels};
     use crate::rect::IRect;
     use crate::xorshift::Xorshift;
-    use glam::IVec2;
+    use glam::{DVec2, IVec2};
 
     type Line = fn(IVec2, IVec2, IRect, &mut dyn FnMut(i32, i32));
 
@@ -104,6 +113,19 @@ mod tests {
     }
 
     #[test]
+    fn all_agree_on_long_lines() {
+        let mut random = Xorshift::new(26);
+        for _ in 0..2_000 {
+            let (a, b) = (random.grid(i32::MIN, i32::MAX), random.grid(i32::MIN, i32::MAX));
+            let middle = (a.as_dvec2() + b.as_dvec2()) / 2.0;
+            let clip = IRect::new(middle.as_ivec2() - 20, middle.as_ivec2() + 20);
+            let [one, other] = LINES.map(|(_, line)| pixels(clip, &draw(line, a, b)));
+            assert!(one.len() >= 20, "{a} {b}");
+            assert_eq!(one, other, "{a} {b}");
+        }
+    }
+
+    #[test]
     fn a_clipped_line_across_the_world_passes_where_it_should() {
         // The line from (-2^30, -2^30 / 3) to (2^30, 2^30 / 3) nearly; computed here in wide integers.
         let (a, b) = (IVec2::new(-1 << 30, -357_913_941), IVec2::new(1 << 30, 357_913_942));
@@ -115,5 +137,114 @@ mod tests {
             assert!(2 * off.abs() <= run);
         }
         assert_eq!(set.len(), 81);
+    }
+
+    type Reducer = fn(&[DVec2], f64, &mut dyn FnMut(DVec2));
+
+    const REDUCERS: [(&str, Reducer); 2] = [
+        ("m4", |path, tolerance, emit| m4(path.iter().copied(), tolerance, emit)),
+        ("sklansky_gonzalez", |path, tolerance, emit| {
+            sklansky_gonzalez(path.iter().copied(), tolerance, emit);
+        }),
+    ];
+
+    fn reduced(reducer: Reducer, path: &[DVec2], tolerance: f64) -> Vec<DVec2> {
+        let mut kept = vec![];
+        reducer(path, tolerance, &mut |p| kept.push(p));
+        kept
+    }
+
+    /// Lines smooth and rough, forward and to and fro, on a grid with many equal vertices and off it.
+    fn paths() -> Vec<Vec<DVec2>> {
+        let mut random = Xorshift::new(24);
+        let mut paths = vec![];
+        for round in 0..60 {
+            let (count, step) = (random.int(1, 400), random.real(0.01, 3.0));
+            let mut at = DVec2::ZERO;
+            paths.push(
+                (0..count)
+                    .map(|i| {
+                        let t = f64::from(i) * step;
+                        match round % 5 {
+                            0 => DVec2::new(t, 20.0 * (t / 10.0).sin() + random.real(-0.3, 0.3)),
+                            1 => DVec2::new(t * 0.1, random.real(-50.0, 50.0)),
+                            2 => DVec2::from_angle(t * 0.1) * t,
+                            3 => {
+                                at += random.point(-1.0, 1.0);
+                                at
+                            }
+                            _ => {
+                                at += random.grid(-1, 1).as_dvec2();
+                                at
+                            }
+                        }
+                    })
+                    .collect(),
+            );
+        }
+        paths
+    }
+
+    #[test]
+    fn what_reducing_leaves_out_lies_within_the_tolerance() {
+        for path in paths() {
+            for tolerance in [0.0, 0.05, 0.5, 4.0] {
+                for (name, reducer) in REDUCERS {
+                    let kept = reduced(reducer, &path, tolerance);
+                    assert_eq!((kept.first(), kept.last()), (path.first(), path.last()), "{name}");
+                    // Those kept are found in the path one after the other.
+                    let mut from = 0;
+                    for chord in kept.windows(2) {
+                        let to = from
+                            + 1
+                            + path[from + 1..].iter().position(|p| *p == chord[1]).expect("in order");
+                        from = to;
+                    }
+                    for p in &path {
+                        let off = kept.windows(2).map(|w| distance(*p, w[0], w[1])).fold(f64::MAX, f64::min);
+                        assert!(kept.len() < 2 || off <= tolerance + 1e-9, "{name} {tolerance} {p} {off}");
+                    }
+                }
+            }
+        }
+    }
+
+    fn distance(p: DVec2, a: DVec2, b: DVec2) -> f64 {
+        let t = ((p - a).dot(b - a) / (b - a).length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        p.distance(a + (b - a) * t)
+    }
+
+    #[test]
+    fn reducing_pays() {
+        let mut random = Xorshift::new(25);
+        let smooth: Vec<DVec2> = (0..10_000)
+            .map(|i| f64::from(i) * 0.01)
+            .map(|x| DVec2::new(x, 20.0 * (x / 10.0).sin()))
+            .collect();
+        assert!(reduced(REDUCERS[1].1, &smooth, 0.1).len() < 60);
+        let rough: Vec<DVec2> =
+            (0..10_000).map(|i| DVec2::new(f64::from(i) * 0.01, random.real(0.0, 99.0))).collect();
+        assert!((300..=400).contains(&reduced(REDUCERS[0].1, &rough, 1.0).len()));
+    }
+
+    #[test]
+    fn reducing_passes_on_what_is_not_finite() {
+        let line = |from: i32, to: i32| (from..to).map(|x| DVec2::new(f64::from(x) / 8.0, 1.0));
+        let path: Vec<DVec2> = line(0, 8).chain([DVec2::NAN, DVec2::INFINITY]).chain(line(8, 16)).collect();
+        for (name, reducer) in REDUCERS {
+            let kept = reduced(reducer, &path, 1.0);
+            let text = format!("{kept:?}");
+            let expected = [path[0], path[7], DVec2::NAN, DVec2::INFINITY, path[10], path[17]];
+            assert_eq!(text, format!("{expected:?}"), "{name}");
+            assert!(reduced(reducer, &[], 1.0).is_empty());
+            for tolerance in [f64::NAN, -1.0, 1e-320] {
+                let all = reduced(reducer, &path, tolerance);
+                assert!(all.len() <= path.len() && all.len() >= 6, "{name} {tolerance}");
+            }
+            for extreme in [1e150, -1e150] {
+                let far = [DVec2::ZERO, DVec2::splat(extreme), DVec2::ONE];
+                assert_eq!(reduced(reducer, &far, 0.1), far, "{name}");
+            }
+        }
     }
 }
