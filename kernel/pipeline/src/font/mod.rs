@@ -1,64 +1,157 @@
 //! Fonts and text layout.
+//!
+//! Every face draws in character heights: the base line is 0 and the cap line 1, so that a character height of the
+//! standard is the unit of length, and x and y are scaled alike before the expansion factor is applied. y goes up,
+//! a glyph's origin is the left end of its base line.
+//!
+//! [`face`] finds the face of a font number, [`layout`] places the characters of a string by path, alignment,
+//! spacing and expansion (ISO 7942, text attributes) and yields extent and concatenation point.
+//!
+//! All faces are available at all precisions. A device without filled areas replaces an outline face by
+//! [`OutlineFace::pen_substitute`].
 
-/// A typeface whose characters are outlines.
-#[derive(Debug)]
-pub struct OutlineFace {
+mod accent;
+mod hershey;
+mod layout;
+mod letter;
+mod outline;
+mod repertoire;
+mod shape;
+mod sketch;
+mod stroke;
+
+pub use layout::{FaceGlyph, Horizontal, Layout, PlacedGlyph, TextPath, TextStyle, Vertical, layout};
+pub use outline::{Outline, OutlineFace, Verb};
+pub use stroke::{StrokeFace, StrokeGlyph};
+
+/// The horizontal lines of a font's design box, in character heights above the base line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Metrics {
+    /// Top of the character body.
+    pub top: f64,
+    /// Cap line: 1.
+    pub cap: f64,
+    /// Half line: halfway between cap line and base line.
+    pub half: f64,
+    /// Base line: 0.
+    pub base: f64,
+    /// Bottom of the character body, below the base line and so negative.
+    pub bottom: f64,
+}
+
+impl Metrics {
+    /// Height of the character body, from bottom to top.
+    pub fn body(&self) -> f64 {
+        self.top - self.bottom
+    }
+}
+
+/// A face: pen strokes or filled outlines.
+#[derive(Clone, Copy, Debug)]
+pub enum Face {
+    /// Characters drawn by a pen.
+    Stroke(&'static StrokeFace),
+    /// Characters filled by the non-zero winding rule.
+    Outline(&'static OutlineFace),
+}
+
+impl Face {
     /// The font number.
-    pub number: i32,
-    /// The family name, as other programs know it.
-    pub family: &'static str,
-    /// Whether the face is a bold one.
-    pub bold: bool,
-    /// Whether the face is an italic one.
-    pub italic: bool,
-    /// The font file (TrueType).
-    pub data: &'static [u8],
-    /// Font units to the em.
-    pub units_per_em: u16,
-}
+    pub fn number(self) -> i32 {
+        match self {
+            Self::Stroke(face) => face.number(),
+            Self::Outline(face) => face.number,
+        }
+    }
 
-crate::look::enumeration! {
-    /// The direction in which characters follow one another.
-    TextPath {
-        /// Along the character base vector.
-        Right = 0,
-        /// Against the character base vector.
-        Left = 1,
-        /// Along the character up vector.
-        Up = 2,
-        /// Against the character up vector.
-        Down = 3,
+    /// The lines of the design box.
+    pub fn metrics(self) -> Metrics {
+        match self {
+            Self::Stroke(face) => face.metrics(),
+            Self::Outline(face) => face.metrics(),
+        }
+    }
+
+    /// The face that a pen draws: the face itself, or the substitute of an outline face.
+    pub fn for_pen(self) -> &'static StrokeFace {
+        match self {
+            Self::Stroke(face) => face,
+            Self::Outline(face) => face.pen_substitute(),
+        }
     }
 }
 
-crate::look::enumeration! {
-    /// Where the text position lies in the text, horizontally.
-    Horizontal {
-        /// By the text path.
-        Normal = 0,
-        /// At the left edge.
-        Left = 1,
-        /// In the middle.
-        Centre = 2,
-        /// At the right edge.
-        Right = 3,
-    }
+/// The face of a font number, or none for a number that is not one of [`numbers`].
+pub fn face(number: i32) -> Option<Face> {
+    stroke::stroke_face(number).map(Face::Stroke).or_else(|| outline::outline_face(number).map(Face::Outline))
 }
 
-crate::look::enumeration! {
-    /// Where the text position lies in the text, vertically.
-    Vertical {
-        /// By the text path.
-        Normal = 0,
-        /// At the top line.
-        Top = 1,
-        /// At the cap line.
-        Cap = 2,
-        /// At the half line.
-        Half = 3,
-        /// At the base line.
-        Base = 4,
-        /// At the bottom line.
-        Bottom = 5,
+/// The font numbers: 1 and -2 to -20 are stroke faces, -21 to -34 outline faces.
+///
+/// | number | face |
+/// |---|---|
+/// | 1 | monospaced simplex |
+/// | -2, -3 | cartographic roman (capitals only), Greek |
+/// | -4, -5, -6 | simplex roman, Greek, script |
+/// | -7, -8, -9, -10, -11 | complex roman, Greek, script, italic, Cyrillic |
+/// | -12 | duplex roman |
+/// | -13, -14 | triplex roman, italic |
+/// | -15, -16, -17 | Gothic German, English, Italian |
+/// | -18, -19, -20 | mathematical symbols, symbol set 1, symbol set 2 |
+/// | -21 to -24 | sans, bold, italic, bold italic |
+/// | -25 to -28 | serif, bold, italic, bold italic |
+/// | -29 to -32 | monospaced, bold, italic, bold italic |
+/// | -33, -34 | mathematics, symbols |
+pub fn numbers() -> &'static [i32] {
+    &NUMBERS
+}
+
+static NUMBERS: [i32; 34] = {
+    let mut numbers = [1; 34];
+    let mut place = 1;
+    while place < numbers.len() {
+        numbers[place] = -1 - place as i32;
+        place += 1;
+    }
+    numbers
+};
+
+/// Whether a character shows nothing and has no body: control characters, joiners, directional marks, variation
+/// selectors.
+pub(crate) fn is_invisible(character: char) -> bool {
+    character.is_control()
+        || matches!(character,
+            '\u{34f}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}'
+            | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e0fff}')
+}
+
+/// Whether a character is a mark that belongs to the character before it.
+pub(crate) fn is_mark(character: char) -> bool {
+    matches!(character,
+        '\u{300}'..='\u{36f}' | '\u{483}'..='\u{489}' | '\u{591}'..='\u{5bd}' | '\u{5bf}' | '\u{5c1}' | '\u{5c2}'
+        | '\u{5c4}' | '\u{5c5}' | '\u{5c7}' | '\u{64b}'..='\u{65f}' | '\u{1ab0}'..='\u{1aff}'
+        | '\u{1dc0}'..='\u{1dff}' | '\u{20d0}'..='\u{20ff}' | '\u{fe20}'..='\u{fe2f}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_number_has_a_face_with_sane_metrics() {
+        assert_eq!(numbers().len(), 34);
+        assert_eq!(numbers()[..3], [1, -2, -3]);
+        assert_eq!(numbers()[33], -34);
+        for &number in numbers() {
+            let face = face(number).unwrap_or_else(|| panic!("font {number}"));
+            assert_eq!(face.number(), number);
+            let Metrics { top, cap, half, base, bottom } = face.metrics();
+            assert_eq!((cap, half, base), (1.0, 0.5, 0.0), "font {number}");
+            assert!((1.05..1.4).contains(&top), "font {number}: top {top}");
+            assert!((-0.7..-0.25).contains(&bottom), "font {number}: bottom {bottom}");
+        }
+        for number in [0, -1, 2, -35, i32::MIN, i32::MAX] {
+            assert!(face(number).is_none(), "font {number}");
+        }
     }
 }
