@@ -7,7 +7,8 @@
 //! that the dashes keep their phase; text becomes outlines before it is clipped.
 
 use crate::colour::Paint;
-use crate::device::{Device, DeviceError, Drawn, Fill, Form, Mark, Pen, Rule, Surface};
+use crate::device::{Device, DeviceError, Drawn, Fill, Form, Glyph, Mark, Pen, Rule, Surface};
+use crate::font::Layout;
 use crate::item::{Cells, Curve, Item, Parallelogram, Role, Shape};
 use crate::look::{Cap, InteriorStyle, Join, Look};
 use crate::lower;
@@ -32,6 +33,8 @@ pub struct Painter {
     dash: Vec<f64>,
     pub(crate) hatch: Hatch,
     paints: Vec<Paint>,
+    pub(crate) layout: Layout,
+    pub(crate) glyphs: Vec<Glyph>,
 }
 
 /// Where an item is painted: a device with the transformation and the tables of its workstation.
@@ -85,7 +88,7 @@ impl Painter {
         match item.shape {
             Shape::Polyline(paths) => self.polyline(paths, item.look, &clip, canvas),
             Shape::Polymarker(positions) => self.polymarker(positions, item.look, &clip, canvas),
-            Shape::Text(..) => Ok(()),
+            Shape::Text(position, text) => lower::text::draw(self, position, text, item.look, &clip, canvas),
             Shape::FillArea(rings) => self.fill_area(rings, item.look, &clip, canvas),
             Shape::CellArray(place, cells) => self.cell_array(&place, &cells, &clip, canvas),
             Shape::Generalized(curve, role) => self.generalized(&curve, role, item.look, &clip, canvas),
