@@ -3,8 +3,11 @@
 //! `gks-spec generate` writes the generated files, `gks-spec check` looks for contradictions in the tables and for
 //! generated files that are not up to date, and ends with status 1 if it finds any.
 
+mod check;
 mod error_text;
+mod fortran_include;
 mod function;
+mod header;
 mod numbers;
 mod tables;
 
@@ -24,6 +27,9 @@ const OUTPUTS: &[(&str, Generator)] = &[
     ("kernel/gks/src/generated/error_text.rs", error_text::generate),
     ("kernel/pipeline/src/generated/mod.rs", |_| module("Copied out of `spec/numbers.toml`.", &["numbers"])),
     ("kernel/pipeline/src/generated/numbers.rs", numbers::generate),
+    ("bindings/c/include/gks.h", header::generate),
+    ("bindings/fortran/include/gks.inc", fortran_include::generate),
+    ("bindings/fortran/include/gkspar.inc", fortran_include::generate_demonstration),
 ];
 
 fn main() -> ExitCode {
@@ -32,7 +38,7 @@ fn main() -> ExitCode {
     let result =
         Tables::load(&root.join("spec")).map_err(|e| vec![e]).and_then(|tables| match command.as_str() {
             "generate" => generate(&root, &tables).map_err(|e| vec![e]),
-            "check" => Ok(()),
+            "check" => sound(&root, &tables),
             _ => Err(vec!["usage: gks-spec check | generate".to_owned()]),
         });
     match result {
@@ -65,6 +71,17 @@ fn generate(root: &Path, tables: &Tables) -> Result<(), String> {
     Ok(())
 }
 
+/// Checks the tables, then whether the generated files are up to date.
+fn sound(root: &Path, tables: &Tables) -> Result<(), Vec<String>> {
+    let mut faults = check::check(tables);
+    for (path, generator) in OUTPUTS {
+        if !std::fs::read_to_string(root.join(path)).is_ok_and(|text| text == generator(tables)) {
+            faults.push(format!("{path} is not up to date: run `cargo run -p gks-spec -- generate`"));
+        }
+    }
+    if faults.is_empty() { Ok(()) } else { Err(faults) }
+}
+
 /// The text of a `mod.rs` of generated modules.
 fn module(doc: &str, names: &[&str]) -> String {
     let mut out = format!("//! {doc}\n//!\n//! Written by `gks-spec generate`; do not edit.\n");
@@ -72,4 +89,29 @@ fn module(doc: &str, names: &[&str]) -> String {
         out += &format!("\n#[rustfmt::skip]\npub mod {name};\n");
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_generated_files_are_up_to_date() {
+        let root = repository();
+        let tables = Tables::load(&root.join("spec")).expect("the tables can be read");
+        assert_eq!(sound(&root, &tables), Ok(()));
+    }
+
+    #[test]
+    fn a_stale_file_is_found() {
+        let root = std::env::temp_dir().join("gks-spec-stale");
+        let tables = Tables::load(&repository().join("spec")).expect("the tables can be read");
+        generate(&root, &tables).expect("the files can be written");
+        assert_eq!(sound(&root, &tables), Ok(()));
+        let path = root.join(OUTPUTS[1].0);
+        std::fs::write(&path, "// changed by hand").expect("the file can be written");
+        let faults = sound(&root, &tables).expect_err("the file is stale");
+        assert!(faults.len() == 1 && faults[0].contains("function.rs is not up to date"), "{faults:?}");
+        std::fs::remove_dir_all(root).expect("the folder can be removed");
+    }
 }

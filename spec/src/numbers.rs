@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::tables::{Numbers, Tables};
+use crate::tables::{Hatch, Numbers, Tables};
 
 const HEAD: &str = r#"//! Numbers of the library's own choice, and the predefined bundle, pattern and colour tables.
 //!
@@ -237,7 +237,7 @@ fn write_looks(out: &mut String, numbers: &Numbers) {
     let rows =
         numbers.marker.iter().map(|m| format!("Marker {{ number: {}, name: {:?} }}", m.number, m.name));
     array(out, "MARKERS", "Marker", "The marker types.", rows);
-    let hatch = |number: i32, h: &crate::tables::Hatch| {
+    let hatch = |number: i32, h: &Hatch| {
         let (name, angles, spacing) = (&h.name, &h.angles, h.spacing);
         format!("Hatch {{ number: {number}, name: {name:?}, angles: &{angles:?}, spacing: {spacing:?} }}")
     };

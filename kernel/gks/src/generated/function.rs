@@ -929,7 +929,7 @@ static ENTRIES: [Entry; 218] = [
     Entry { name: "INQUIRE TEXT ALIGNMENT", fortran: &["GQTXAL"], c: "ginq_text_align", level: Level::L0a, id: -1, states: 0b11110, errors: &[8] },
     Entry { name: "INQUIRE FILL AREA INDEX", fortran: &["GQFAI"], c: "ginq_fill_ind", level: Level::L0a, id: -1, states: 0b11110, errors: &[8] },
     Entry { name: "INQUIRE PATTERN WIDTH VECTOR", fortran: &["GQPA"], c: "ginq_pat_width_vec", level: Level::L0a, id: -1, states: 0b11110, errors: &[8] },
-    Entry { name: "INQUIRE PATTERN HEIGHT VECTOR", fortran: &["GQPA"], c: "ginq_pat_ht_vec", level: Level::L0a, id: -1, states: 0b11110, errors: &[8] },
+    Entry { name: "INQUIRE PATTERN HEIGHT VECTOR", fortran: &[], c: "ginq_pat_ht_vec", level: Level::L0a, id: -1, states: 0b11110, errors: &[8] },
     Entry { name: "INQUIRE PATTERN REFERENCE POINT", fortran: &["GQPARF"], c: "ginq_pat_ref_point", level: Level::L0a, id: -1, states: 0b11110, errors: &[8] },
     Entry { name: "INQUIRE CURRENT PICK IDENTIFIER VALUE", fortran: &["GQPKID"], c: "ginq_cur_pick_id", level: Level::L1b, id: -1, states: 0b11110, errors: &[8] },
     Entry { name: "INQUIRE CURRENT INDIVIDUAL ATTRIBUTE VALUES", fortran: &[], c: "ginq_cur_indiv_attrs", level: Level::L0a, id: -1, states: 0b11110, errors: &[8] },
