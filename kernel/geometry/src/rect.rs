@@ -108,6 +108,18 @@ impl<S: Space> Rect<S> {
     }
 }
 
+impl<S: Space> From<(f64, f64, f64, f64)> for Rect<S> {
+    fn from((xmin, xmax, ymin, ymax): (f64, f64, f64, f64)) -> Self {
+        Rect::new(xmin, xmax, ymin, ymax)
+    }
+}
+
+impl<S: Space> From<[f64; 4]> for Rect<S> {
+    fn from([xmin, xmax, ymin, ymax]: [f64; 4]) -> Self {
+        Rect::new(xmin, xmax, ymin, ymax)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

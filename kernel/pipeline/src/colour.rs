@@ -35,6 +35,13 @@ impl Colour {
     }
 }
 
+impl From<(f64, f64, f64)> for Colour {
+    /// The opaque colour with the intensities (red, green, blue).
+    fn from((red, green, blue): (f64, f64, f64)) -> Self {
+        Colour::rgb(red as f32, green as f32, blue as f32)
+    }
+}
+
 /// A colour together with the colour index that led to it: a plotter picks its pen by the index, an
 /// indexed frame buffer stores it, every other device uses the colour.
 #[derive(Copy, Clone, Debug, PartialEq)]
