@@ -33,8 +33,8 @@ impl Default for Geometry {
     }
 }
 
-/// Checks a bundle index, which counts from 1.
-fn index(function: Function, error: i32, value: i32) -> Result<u32> {
+/// Checks an index that counts from 1.
+pub(crate) fn index(function: Function, error: i32, value: i32) -> Result<u32> {
     match u32::try_from(value) {
         Ok(i) if i >= 1 => Ok(i),
         _ => Err(Error::new(error, function).because(format!("index {value}"))),
@@ -45,12 +45,12 @@ fn colour(function: Function, value: i32) -> Result<u32> {
     u32::try_from(value).map_err(|_| Error::new(92, function).because(format!("colour index {value}")))
 }
 
-fn nonzero(function: Function, error: i32, value: i32) -> Result<i32> {
+pub(crate) fn nonzero(function: Function, error: i32, value: i32) -> Result<i32> {
     if value == 0 { Err(Error::new(error, function)) } else { Ok(value) }
 }
 
 /// Checks a number that has to be finite and fulfil `good`.
-fn real(function: Function, error: i32, value: f64, good: impl Fn(f64) -> bool) -> Result<f64> {
+pub(crate) fn real(function: Function, error: i32, value: f64, good: impl Fn(f64) -> bool) -> Result<f64> {
     if value.is_finite() && good(value) {
         Ok(value)
     } else {
@@ -59,7 +59,7 @@ fn real(function: Function, error: i32, value: f64, good: impl Fn(f64) -> bool) 
 }
 
 /// The error for a number that is not finite where the standard lists no error of its own: arithmetic error.
-const NOT_A_NUMBER: i32 = 308;
+pub(crate) const NOT_A_NUMBER: i32 = 308;
 
 macro_rules! setters {
     ($($(#[$doc:meta])* $name:ident($value:ident: $type:ty) $function:ident

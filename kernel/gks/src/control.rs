@@ -190,6 +190,15 @@ impl Gks {
         self.state
     }
 
+    /// The open workstation with an identifier, to be changed, if it draws or records what is drawn.
+    ///
+    /// Errors: 20, 25, 33 (MI), 35 (INPUT), 36 (WISS).
+    pub(crate) fn drawing_workstation(&mut self, function: Function, id: i32) -> Result<&mut Workstation> {
+        let workstation = &mut self.workstation_mut(function, id)?.workstation;
+        Gks::drawing_category(function, workstation.description().category)?;
+        Ok(workstation)
+    }
+
     /// Checks that a workstation draws. Errors: 33 (MI), 35 (INPUT), 36 (WISS).
     pub(crate) fn drawing_category(function: Function, category: Category) -> Result<()> {
         match category {

@@ -10,6 +10,10 @@ mod gks;
 mod normalization;
 mod output;
 mod points;
+mod representation;
+#[cfg(test)]
+mod test_device;
+mod workstation_transformation;
 
 pub use crate::error::{Error, Result};
 pub use crate::generated::function::{Function, Level, OperatingState, StateMask};
