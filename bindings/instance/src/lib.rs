@@ -1,0 +1,140 @@
+//! The one kernel of a process that the C and Fortran bindings share.
+//!
+//! The kernel lies behind a mutex. A call of a binding converts its arguments, runs one method of [`Gks`]
+//! under the lock, and reports an error after the lock has been released, because an error handler of the
+//! program may inquire, log and close. No panic crosses the border: one that happens all the same is reported
+//! as a system error, and the process goes on.
+
+mod dialect;
+mod error_file;
+mod text;
+
+pub use dialect::Dialect;
+pub use error_file::ErrorFile;
+pub use text::{from_latin1, from_utf8_or_latin1};
+
+use gks::{Defaults, Error, Function, Gks};
+use gks_workstations::catalogue::Drivers;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// The kernel with what belongs to bindings alone.
+pub struct Instance {
+    /// The kernel.
+    pub gks: Gks,
+    /// Where errors are logged.
+    pub error_file: ErrorFile,
+    /// Error state ON: an error handler is running.
+    handling: bool,
+    /// The error that is being handled, with its detail, for the log.
+    current: Option<Error>,
+}
+
+static INSTANCE: Mutex<Option<Box<Instance>>> = Mutex::new(None);
+
+/// The error for a panic: a system error of the standard, "storage exhausted" and the like.
+const SYSTEM_ERROR: i32 = 308;
+
+fn lock() -> MutexGuard<'static, Option<Box<Instance>>> {
+    INSTANCE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[cold]
+fn create() -> Box<Instance> {
+    let dialect = Dialect::from_process();
+    let defaults: Defaults = dialect.defaults();
+    let mut gks = Gks::with_defaults(Box::new(Drivers::from_process()), defaults);
+    gks.on_message(Box::new(|workstation, text| {
+        eprintln!("GKS message on workstation {workstation}: {text}")
+    }));
+    Box::new(Instance { gks, error_file: ErrorFile::Stderr, handling: false, current: None })
+}
+
+/// Runs `f` with the instance locked. For inquiries, which report nothing.
+#[inline]
+pub fn with<R>(f: impl FnOnce(&mut Instance) -> R) -> R {
+    let mut guard = lock();
+    f(guard.get_or_insert_with(create))
+}
+
+/// Runs an inquiry; a panic becomes a system error.
+#[inline]
+pub fn inquire<R>(function: Function, f: impl FnOnce(&mut Gks) -> gks::Result<R>) -> Result<R, i32> {
+    match catch_unwind(AssertUnwindSafe(|| with(|instance| f(&mut instance.gks)))) {
+        Ok(result) => result.map_err(|e| e.number),
+        Err(_) => Err(Error::new(SYSTEM_ERROR, function).number),
+    }
+}
+
+/// Runs a function that is not an inquiry. An error is handed to `report` with the lock released and the
+/// error state ON; during that time other such functions have no effect.
+#[inline]
+pub fn call<R>(
+    function: Function,
+    report: impl FnOnce(&Error, &ErrorFile),
+    f: impl FnOnce(&mut Gks) -> gks::Result<R>,
+) -> Option<R> {
+    call_instance(function, report, |instance| f(&mut instance.gks))
+}
+
+/// [`call`] for functions that need more than the kernel.
+pub fn call_instance<R>(
+    function: Function,
+    report: impl FnOnce(&Error, &ErrorFile),
+    f: impl FnOnce(&mut Instance) -> gks::Result<R>,
+) -> Option<R> {
+    let run = || with(|instance| if instance.handling { Ok(None) } else { f(instance).map(Some) });
+    let result = catch_unwind(AssertUnwindSafe(run))
+        .unwrap_or_else(|_| Err(Error::new(SYSTEM_ERROR, function).because("internal error")));
+    match result {
+        Ok(value) => value,
+        Err(error) => {
+            handle(error, report);
+            None
+        }
+    }
+}
+
+#[cold]
+fn handle(error: Error, report: impl FnOnce(&Error, &ErrorFile)) {
+    let file = with(|instance| {
+        instance.handling = true;
+        instance.current = Some(error.clone());
+        instance.error_file.clone()
+    });
+    // A handler written in another language may not unwind into this one either.
+    let _ = catch_unwind(AssertUnwindSafe(|| report(&error, &file)));
+    with(|instance| {
+        instance.handling = false;
+        instance.current = None;
+    });
+}
+
+/// Reports an error that a binding itself found.
+pub fn raise(error: Error, report: impl FnOnce(&Error, &ErrorFile)) {
+    if !with(|instance| instance.handling) {
+        handle(error, report);
+    }
+}
+
+/// ERROR LOGGING: writes an error to an error file, with its detail if it is the one being handled. The
+/// function is given by its identifier.
+pub fn log(number: i32, function: i32, file: &ErrorFile) {
+    let detail = with(|instance| {
+        instance.current.as_ref().filter(|e| e.number == number).and_then(|e| e.detail.clone())
+    });
+    let text = gks::generated::error_text::text(number).unwrap_or("unknown error");
+    let known = Function::ALL.into_iter().find(|f| f.id() == Some(function));
+    let name = known.map_or("an unknown function", Function::name);
+    let detail = detail.map(|d| format!(" ({d})")).unwrap_or_default();
+    file.write(&format!("GKS ERROR {number} IN {name}: {text}{detail}\n"));
+}
+
+/// Completes whatever is open when the process ends without CLOSE GKS; does nothing if a call is under way.
+pub fn close_at_exit() {
+    if let Ok(mut guard) = INSTANCE.try_lock()
+        && let Some(instance) = guard.as_mut()
+    {
+        let _ = catch_unwind(AssertUnwindSafe(|| instance.gks.emergency_close_gks()));
+    }
+}
