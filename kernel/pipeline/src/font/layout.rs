@@ -5,85 +5,8 @@ use glam::DVec2;
 use super::outline::OutlineFace;
 use super::shape::Shaper;
 use super::stroke::{StrokeFace, StrokeGlyph, default_face};
+use super::style::{Horizontal, TextPath, TextStyle, Vertical};
 use super::{Face, Metrics, is_invisible, is_mark};
-use crate::look::enumeration;
-
-enumeration! {
-    /// Direction in which the characters of a string follow one another.
-    TextPath {
-        /// Along the character base vector.
-        Right = 0,
-        /// Against the character base vector.
-        Left = 1,
-        /// Along the character up vector.
-        Up = 2,
-        /// Against the character up vector.
-        Down = 3,
-    }
-}
-
-enumeration! {
-    /// Horizontal alignment of a string at its position.
-    Horizontal {
-        /// What is natural to the path: left for RIGHT, right for LEFT, centre for UP and DOWN.
-        Normal = 0,
-        /// Left edge of the extent.
-        Left = 1,
-        /// Centre of the extent.
-        Centre = 2,
-        /// Right edge of the extent.
-        Right = 3,
-    }
-}
-
-enumeration! {
-    /// Vertical alignment of a string at its position.
-    Vertical {
-        /// What is natural to the path: the top for DOWN, the base line for the others.
-        Normal = 0,
-        /// Top of the uppermost character body.
-        Top = 1,
-        /// Cap line of the uppermost character.
-        Cap = 2,
-        /// Halfway between the half lines of the uppermost and the lowest character.
-        Half = 3,
-        /// Base line of the lowest character.
-        Base = 4,
-        /// Bottom of the lowest character body.
-        Bottom = 5,
-    }
-}
-
-/// The text attributes that layout depends on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TextStyle {
-    /// Font number; a number that is not one of [`super::numbers`] is taken as 1.
-    pub font: i32,
-    /// Character expansion factor: widths relative to the design of the font.
-    pub expansion: f64,
-    /// Space added between adjacent bodies, in character heights; negative values overlap them.
-    pub spacing: f64,
-    /// Text path.
-    pub path: TextPath,
-    /// Horizontal alignment.
-    pub horizontal: Horizontal,
-    /// Vertical alignment.
-    pub vertical: Vertical,
-}
-
-impl Default for TextStyle {
-    /// The initial values of the standard: font 1, expansion 1, spacing 0, path RIGHT, alignment NORMAL.
-    fn default() -> Self {
-        Self {
-            font: 1,
-            expansion: 1.0,
-            spacing: 0.0,
-            path: TextPath::Right,
-            horizontal: Horizontal::Normal,
-            vertical: Vertical::Normal,
-        }
-    }
-}
 
 /// A glyph of either kind of face.
 #[derive(Clone, Copy, Debug)]
@@ -242,7 +165,7 @@ impl Layout {
             }
         }
         let (bottom, top) = (low + metrics.bottom, high + metrics.top);
-        let (horizontal, vertical) = resolve(style);
+        let (horizontal, vertical) = style.alignment();
         let anchor = DVec2::new(
             match horizontal {
                 Horizontal::Left => left,
@@ -282,22 +205,6 @@ pub(super) fn characters(text: &str) -> impl Iterator<Item = (u32, char)> {
     text.char_indices()
         .filter(|&(_, character)| !is_invisible(character))
         .map_while(|(offset, character)| Some((u32::try_from(offset).ok()?, character)))
-}
-
-/// The alignment with NORMAL replaced by what it means for the path.
-fn resolve(style: &TextStyle) -> (Horizontal, Vertical) {
-    let horizontal = match (style.horizontal, style.path) {
-        (Horizontal::Normal, TextPath::Right) => Horizontal::Left,
-        (Horizontal::Normal, TextPath::Left) => Horizontal::Right,
-        (Horizontal::Normal, _) => Horizontal::Centre,
-        (set, _) => set,
-    };
-    let vertical = match (style.vertical, style.path) {
-        (Vertical::Normal, TextPath::Down) => Vertical::Top,
-        (Vertical::Normal, _) => Vertical::Base,
-        (set, _) => set,
-    };
-    (horizontal, vertical)
 }
 
 #[cfg(test)]
@@ -476,6 +383,95 @@ mod tests {
         for font in [0, 7, -1, -99] {
             let out = laid("text", TextStyle { font, ..TextStyle::default() });
             assert_extent(&out, [0.0, 4.0, BOTTOM, TOP], "font 1");
+        }
+    }
+
+    fn width(text: &str, style: TextStyle) -> f64 {
+        let out = laid(text, style);
+        out.extent[1].x - out.extent[0].x
+    }
+
+    #[test]
+    fn neighbours_are_kerned_along_the_base_line_unless_spaced() {
+        let sans = TextStyle { font: -21, ..TextStyle::default() };
+        let alone = width("A", sans) + width("V", sans);
+        for (path, kerned) in
+            [(TextPath::Right, true), (TextPath::Left, true), (TextPath::Up, false), (TextPath::Down, false)]
+        {
+            let style = TextStyle { path, ..sans };
+            if kerned {
+                assert!(width("AV", style) < alone - 0.05, "{path:?}");
+            } else {
+                assert_eq!(width("AV", style), width("A", sans).max(width("V", sans)), "{path:?}");
+            }
+        }
+        assert!((width("AV", TextStyle { spacing: 0.5, ..sans }) - alone - 0.5).abs() < 1e-12);
+        // LEFT shows the same line as RIGHT does for the reversed string.
+        let (left, right) =
+            (laid("LTAVoe", TextStyle { path: TextPath::Left, ..sans }), laid("eoVATL", sans));
+        let shift = left.extent[0].x - right.extent[0].x;
+        for (from_left, from_right) in left.glyphs.iter().zip(right.glyphs.iter().rev()) {
+            assert!((from_left.origin.x - shift - from_right.origin.x).abs() < 1e-9);
+        }
+        assert_eq!(left.glyphs.iter().map(|glyph| glyph.cluster).collect::<Vec<_>>(), [0, 1, 2, 3, 4, 5]);
+    }
+
+    #[test]
+    fn expansion_stretches_outlines_and_kerning() {
+        let sans = TextStyle { font: -21, ..TextStyle::default() };
+        let wide = TextStyle { expansion: 1.5, ..sans };
+        assert!((width("AVATAR", wide) - 1.5 * width("AVATAR", sans)).abs() < 1e-9);
+        assert_eq!(laid("A", wide).expansion, 1.5);
+    }
+
+    #[test]
+    fn a_mark_shares_the_body_of_its_letter() {
+        for font in [1, -4, -14, -21, -25, -34] {
+            for path in [TextPath::Right, TextPath::Left, TextPath::Up, TextPath::Down] {
+                for spacing in [0.0, 0.5] {
+                    let style = TextStyle { font, path, spacing, ..TextStyle::default() };
+                    let what = format!("font {font} {path:?} {spacing}");
+                    let (plain, marked) = (laid("xqy", style), laid("xq\u{307}\u{323}y", style));
+                    for (corner, expected) in marked.extent.into_iter().zip(plain.extent) {
+                        assert!(corner.abs_diff_eq(expected, 1e-9), "{what}: {corner} is not {expected}");
+                    }
+                    let clusters: Vec<u32> = marked.glyphs.iter().map(|glyph| glyph.cluster).collect();
+                    assert!(
+                        clusters.is_sorted() && clusters[0] == 0 && clusters[clusters.len() - 1] == 6,
+                        "{what}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_mark_stands_above_the_middle_of_its_letter() {
+        let style = TextStyle { font: -4, ..TextStyle::default() };
+        for (text, composed) in [("A\u{301}", "Á"), ("o\u{308}", "ö"), ("c\u{327}", "ç")] {
+            let (out, whole) = (laid(text, style), laid(composed, style));
+            let bounds = |placed: &PlacedGlyph| match placed.glyph {
+                FaceGlyph::Stroke(glyph) => glyph.bounds.map(|corner| corner + placed.origin),
+                FaceGlyph::Outline(..) => panic!("font -4 is strokes"),
+            };
+            let ([low, high], [low2, high2]) = (bounds(&out.glyphs[0]), bounds(&out.glyphs[1]));
+            let [whole_low, whole_high] = bounds(&whole.glyphs[0]);
+            assert!(low.min(low2).abs_diff_eq(whole_low, 1e-9), "{text}");
+            assert!(high.max(high2).abs_diff_eq(whole_high, 1e-9), "{text}");
+        }
+    }
+
+    #[test]
+    fn text_laid_out_again_finds_its_buffers() {
+        let mut out = Layout::default();
+        for font in [1, -13, -21] {
+            let style = TextStyle { font, ..TextStyle::default() };
+            layout("Twenty characters ok", &style, &mut out);
+            let before = (out.glyphs.as_ptr(), out.cells.as_ptr(), out.glyphs.capacity());
+            for _ in 0..3 {
+                layout("and these are others", &style, &mut out);
+                assert_eq!(before, (out.glyphs.as_ptr(), out.cells.as_ptr(), out.glyphs.capacity()));
+            }
         }
     }
 }

@@ -1,15 +1,12 @@
 //! Characters that the Hershey repertoire lacks, composed of its figures and of strokes drawn for the purpose.
-//!
-//! Hand drawn strokes are in Hershey units, 21 to the character height, base line at 0.
 
 use glam::DVec2;
 
 use super::accent::{Mark, decompose};
+use super::hand_drawn::hand_drawn;
 use super::hershey::CAP;
 use super::repertoire::{Family, Keys, Weight};
 use super::sketch::Sketch;
-
-type Strokes = &'static [&'static [(i8, i8)]];
 
 /// The plain character that looks like another one.
 fn look_alike(character: char) -> Option<char> {
@@ -41,183 +38,11 @@ fn look_alike(character: char) -> Option<char> {
     })
 }
 
-/// Strokes and body width of a character that is drawn by hand; doubled for heavy weights.
-fn hand_drawn(character: char) -> Option<(i8, Strokes)> {
-    Some(match character {
-        '[' => (14, &[&[(10, 25), (4, 25), (4, -7), (10, -7)]]),
-        ']' => (14, &[&[(4, 25), (10, 25), (10, -7), (4, -7)]]),
-        '{' => (
-            14,
-            &[&[
-                (11, 25),
-                (9, 24),
-                (8, 22),
-                (8, 12),
-                (7, 10),
-                (4, 9),
-                (7, 8),
-                (8, 6),
-                (8, -4),
-                (9, -6),
-                (11, -7),
-            ]],
-        ),
-        '}' => (
-            14,
-            &[&[
-                (3, 25),
-                (5, 24),
-                (6, 22),
-                (6, 12),
-                (7, 10),
-                (10, 9),
-                (7, 8),
-                (6, 6),
-                (6, -4),
-                (5, -6),
-                (3, -7),
-            ]],
-        ),
-        '\\' => (22, &[&[(2, 25), (20, -7)]]),
-        '^' => (18, &[&[(3, 13), (9, 21), (15, 13)]]),
-        '_' => (20, &[&[(0, -5), (20, -5)]]),
-        '`' => (14, &[&[(4, 21), (9, 15)]]),
-        '~' => (24, &[&[(3, 7), (4, 10), (6, 11), (9, 11), (15, 7), (18, 7), (20, 8), (21, 11)]]),
-        '¦' => (8, &[&[(4, 25), (4, 12)], &[(4, 6), (4, -7)]]),
-        '£' => (
-            20,
-            &[
-                &[
-                    (16, 17),
-                    (15, 20),
-                    (12, 21),
-                    (10, 21),
-                    (8, 20),
-                    (7, 18),
-                    (7, 5),
-                    (6, 2),
-                    (3, 0),
-                    (16, 0),
-                    (18, 3),
-                ],
-                &[(3, 11), (13, 11)],
-            ],
-        ),
-        '¤' => (
-            18,
-            &[
-                &[
-                    (9, 15),
-                    (6, 14),
-                    (4, 11),
-                    (4, 9),
-                    (6, 6),
-                    (9, 5),
-                    (12, 6),
-                    (14, 9),
-                    (14, 11),
-                    (12, 14),
-                    (9, 15),
-                ],
-                &[(2, 17), (6, 14)],
-                &[(16, 17), (12, 14)],
-                &[(2, 3), (6, 6)],
-                &[(16, 3), (12, 6)],
-            ],
-        ),
-        '«' => (18, &[&[(9, 13), (3, 8), (9, 3)], &[(15, 13), (9, 8), (15, 3)]]),
-        '»' => (18, &[&[(3, 13), (9, 8), (3, 3)], &[(9, 13), (15, 8), (9, 3)]]),
-        '¬' => (24, &[&[(3, 11), (21, 11), (21, 5)]]),
-        '¶' => (
-            20,
-            &[
-                &[(17, 21), (7, 21), (4, 20), (2, 17), (2, 15), (4, 12), (7, 11), (12, 11)],
-                &[(12, 21), (12, -7)],
-                &[(16, 21), (16, -7)],
-            ],
-        ),
-        'ß' => (
-            19,
-            &[&[
-                (4, 0),
-                (4, 16),
-                (5, 19),
-                (7, 21),
-                (10, 21),
-                (12, 20),
-                (13, 18),
-                (13, 16),
-                (12, 14),
-                (9, 12),
-                (12, 11),
-                (14, 9),
-                (15, 6),
-                (15, 4),
-                (14, 2),
-                (12, 0),
-                (9, 0),
-                (8, 1),
-            ]],
-        ),
-        'ſ' => (11, &[&[(4, 0), (4, 17), (5, 20), (7, 21), (9, 21)]]),
-        'Æ' => (
-            26,
-            &[
-                &[(1, 0), (12, 21)],
-                &[(13, 21), (13, 0)],
-                &[(12, 21), (24, 21)],
-                &[(13, 11), (21, 11)],
-                &[(13, 0), (24, 0)],
-                &[(5, 7), (13, 7)],
-            ],
-        ),
-        '—' => (28, &[&[(2, 9), (26, 9)]]),
-        '⟨' => (12, &[&[(8, 13), (3, 8), (8, 3)]]),
-        '⟩' => (12, &[&[(4, 13), (9, 8), (4, 3)]]),
-        '∅' => (
-            22,
-            &[
-                &[
-                    (11, 19),
-                    (6, 17),
-                    (3, 13),
-                    (3, 7),
-                    (6, 3),
-                    (11, 1),
-                    (16, 3),
-                    (19, 7),
-                    (19, 13),
-                    (16, 17),
-                    (11, 19),
-                ],
-                &[(4, 0), (18, 20)],
-            ],
-        ),
-        '≈' => (
-            24,
-            &[
-                &[(3, 9), (5, 12), (8, 13), (16, 9), (19, 10), (21, 13)],
-                &[(3, 3), (5, 6), (8, 7), (16, 3), (19, 4), (21, 7)],
-            ],
-        ),
-        '≪' => (28, &[&[(15, 18), (3, 9), (15, 0)], &[(25, 18), (13, 9), (25, 0)]]),
-        '≫' => (28, &[&[(3, 18), (15, 9), (3, 0)], &[(13, 18), (25, 9), (13, 0)]]),
-        '↔' => (32, &[&[(7, 13), (3, 9), (7, 5)], &[(3, 9), (29, 9)], &[(25, 13), (29, 9), (25, 5)]]),
-        '⇒' => (32, &[&[(3, 11), (27, 11)], &[(3, 7), (27, 7)], &[(23, 15), (29, 9), (23, 3)]]),
-        '⇐' => (32, &[&[(29, 11), (5, 11)], &[(29, 7), (5, 7)], &[(9, 15), (3, 9), (9, 3)]]),
-        '∀' => (20, &[&[(2, 21), (10, 0), (18, 21)], &[(5, 14), (15, 14)]]),
-        '∧' => (20, &[&[(3, 1), (10, 17), (17, 1)]]),
-        '∨' => (20, &[&[(3, 17), (10, 1), (17, 17)]]),
-        '✓' => (20, &[&[(3, 8), (8, 2), (17, 18)]]),
-        _ => return None,
-    })
-}
-
 /// Draws hand drawn strokes, twice for letters of double lines.
-fn ink(sketch: &mut Sketch, strokes: &[&[(i8, i8)]], shift: DVec2, heavy: bool) {
-    sketch.draw(strokes, CAP, shift);
+fn ink(sketch: &mut Sketch, strokes: &[&[(i8, i8)]], heavy: bool) {
+    sketch.draw(strokes, CAP, DVec2::ZERO);
     if heavy {
-        sketch.draw(strokes, CAP, shift + DVec2::new(1.0, 0.0) / CAP);
+        sketch.draw(strokes, CAP, DVec2::X / CAP);
     }
 }
 
@@ -247,17 +72,22 @@ impl Family {
         !matches!(self.weight, Weight::Cartographic | Weight::Simplex)
     }
 
+    /// Whether the letters are script or Gothic.
+    fn is_ornate(&self) -> bool {
+        self.weight == Weight::Gothic || self.descent > 7
+    }
+
     /// The drawing of a character in this family: a figure of the repertoire or a composition; none when the
     /// family has nothing to compose it of.
     pub(crate) fn sketch(&self, character: char) -> Option<Sketch> {
         if let Some(figure) = self.figure(character) {
             return super::hershey::figure(figure);
         }
-        if matches!(character, ' '..='~') {
-            return self.by_hand(character);
+        if let Some(capital) = self.capital(character) {
+            return self.sketch(capital);
         }
         if let Some((base, mark)) = decompose(character) {
-            let mut letter = self.letter(base)?;
+            let mut letter = self.part(base)?;
             if mark.above() {
                 letter = dotless(base, &letter);
             }
@@ -265,23 +95,36 @@ impl Family {
             return Some(letter);
         }
         if let Some(plain) = look_alike(character) {
-            return self.sketch(plain);
+            return self.part(plain);
         }
         self.alone(character).or_else(|| self.composed(character)).or_else(|| self.by_hand(character))
     }
 
-    /// The drawing of a letter, unless it is a Latin letter in a family whose Latin keys show something else.
-    fn letter(&self, base: char) -> Option<Sketch> {
-        if base.is_ascii_alphabetic() && !matches!(self.keys, Keys::Latin(..)) {
+    /// A character that another one is composed of, unless the keys of the family show something else for it.
+    fn part(&self, base: char) -> Option<Sketch> {
+        if base.is_ascii() && !matches!(self.keys, Keys::Latin(..)) {
             return None;
         }
         self.sketch(base)
     }
 
+    /// The capital of a small letter in a family that has capitals only.
+    fn capital(&self, character: char) -> Option<char> {
+        let single = matches!(self.keys, Keys::Latin(upper, lower) if upper == lower);
+        let mut capitals = character.to_uppercase();
+        let capital =
+            capitals.next().filter(|_| single && character.is_lowercase() && character < '\u{370}')?;
+        (capitals.next().is_none() && capital != character).then_some(capital)
+    }
+
     fn by_hand(&self, character: char) -> Option<Sketch> {
         let (width, strokes) = hand_drawn(character)?;
         let mut sketch = Sketch::new(f64::from(width) / CAP);
-        ink(&mut sketch, strokes, DVec2::ZERO, self.heavy());
+        ink(&mut sketch, strokes, self.heavy());
+        if matches!(character, 'Æ' | 'ß' | 'ſ' | '£') {
+            sketch = sketch
+                .mapped(sketch.advance(), |point| point + DVec2::new(self.slant * (point.y - 0.4), 0.0));
+        }
         Some(sketch)
     }
 
@@ -297,7 +140,7 @@ impl Family {
 
     /// Letters and signs that are a letter with a bar, two letters in one, or a letter reduced or turned.
     fn composed(&self, character: char) -> Option<Sketch> {
-        let get = |base: char| self.letter(base);
+        let get = |base: char| self.part(base);
         // A letter with bars between places given relative to its ink: (left, right, centre, height).
         let barred = |base: char, bars: &[[Place; 2]]| {
             let mut sketch = get(base)?;
@@ -311,6 +154,8 @@ impl Family {
         use Place::{Centre as C, Left as L, Right as R};
         let serif = if self.heavy() && self.weight != Weight::Duplex { 3.0 } else { 0.0 };
         match character {
+            // Bowls of letters that are not upright do not fit other letters' stems.
+            'Þ' | 'þ' | 'ð' if self.is_ornate() => None,
             'ı' => get('i').map(|letter| dotless('i', &letter)),
             'ȷ' => get('j').map(|letter| dotless('j', &letter)),
             'Ø' => barred('O', &[[L(0.0, -1.0), R(0.0, 22.0)]]),
@@ -350,7 +195,7 @@ impl Family {
                 ]],
             ),
             'Є' | 'є' => {
-                let letter = self.sketch(if character == 'Є' { 'Э' } else { 'э' })?;
+                let letter = get(if character == 'Є' { 'Э' } else { 'э' })?;
                 let width = letter.advance();
                 Some(letter.mapped(width, |point| DVec2::new(width - point.x, point.y)))
             }
@@ -364,28 +209,27 @@ impl Family {
             }
             'þ' => {
                 let (ascender, descender) = (get('b')?, get('p')?);
+                let shift = descender.bounds()[1].x - ascender.bounds()[1].x;
                 let mut sketch = descender.clone();
-                sketch.add(&ascender, |point| {
-                    point + DVec2::new(descender.bounds()[0].x - ascender.bounds()[0].x, 0.0)
-                });
+                sketch.add(&ascender, |point| point + DVec2::new(shift, 0.0));
                 Some(sketch)
             }
             'æ' => Some(joined(&get('a')?, &get('e')?, if serif > 0.0 { -3.0 } else { 0.0 })),
             'œ' => Some(joined(&get('o')?, &get('e')?, if serif > 0.0 { -1.0 } else { 0.0 })),
-            'Œ' => Some(joined(&get('O')?, &get('E')?, -4.0 - serif)),
+            'Œ' => Some(joined(&get('O')?, &get('E')?, if serif > 0.0 { -2.0 } else { -1.0 })),
             'Ĳ' => Some(joined(&get('I')?, &get('J')?, 3.0)),
             'ĳ' => Some(joined(&get('i')?, &get('j')?, 3.0)),
-            'ŉ' => Some(joined(&self.sketch('’')?, &get('n')?, 3.0)),
+            'ŉ' => Some(joined(&get('’')?, &get('n')?, 3.0)),
             'Ŀ' | 'ŀ' => Some(joined(
                 &get(if character == 'Ŀ' { 'L' } else { 'l' })?,
-                &self.sketch('·')?,
+                &get('·')?,
                 if character == 'Ŀ' { -3.0 } else { 2.0 },
             )),
             'ĸ' => get('K').map(|letter| {
                 letter.mapped(letter.advance() * 0.8, |point| point * DVec2::new(0.8, 2.0 / 3.0))
             }),
             '¡' | '¿' => {
-                let sign = self.sketch(if character == '¡' { '!' } else { '?' })?;
+                let sign = get(if character == '¡' { '!' } else { '?' })?;
                 let width = sign.advance();
                 Some(sign.mapped(width, |point| DVec2::new(width - point.x, 14.0 / CAP - point.y)))
             }
@@ -403,11 +247,11 @@ impl Family {
                     '³' => '3',
                     other => char::from_digit(u32::from(other) - u32::from('⁰'), 10)?,
                 };
-                Some(reduced(&self.sketch(digit)?, 0.6, 0.4))
+                Some(reduced(&get(digit)?, 0.6, 0.4))
             }
             '₀'..='₉' => {
                 let digit = char::from_digit(u32::from(character) - u32::from('₀'), 10)?;
-                Some(reduced(&self.sketch(digit)?, 0.6, -0.2))
+                Some(reduced(&get(digit)?, 0.6, -0.2))
             }
             '¼' | '½' | '¾' => {
                 let (over, under) = match character {
@@ -415,8 +259,8 @@ impl Family {
                     '½' => ('1', '2'),
                     _ => ('3', '4'),
                 };
-                let over = reduced(&self.sketch(over)?, 0.55, 0.45);
-                let under = reduced(&self.sketch(under)?, 0.55, 0.0);
+                let over = reduced(&get(over)?, 0.55, 0.45);
+                let under = reduced(&get(under)?, 0.55, 0.0);
                 let mut stroke = Sketch::default();
                 line(&mut stroke, (0.0, 0.0), (14.0, 21.0));
                 Some(joined(&joined(&over, &stroke, -4.0), &under, -4.0))
@@ -439,7 +283,7 @@ impl Family {
                 Some(reduced(&pair, 0.5, 0.5))
             }
             '“' | '”' | '„' | '…' | '‚' => {
-                let single = self.sketch(match character {
+                let single = get(match character {
                     '“' => '‘',
                     '”' => '’',
                     '…' => '.',
@@ -451,12 +295,15 @@ impl Family {
                     _ => joined(&single, &single, 4.0),
                 })
             }
-            '•' => self.sketch('●'),
+            '•' => get('●').map(|disc| {
+                let shift = DVec2::new(7.0 / CAP - disc.advance() / 2.0, 0.0);
+                disc.mapped(14.0 / CAP, |point| point + shift)
+            }),
             '‰' => {
-                let ring = reduced(&self.sketch('°')?, 1.0, 0.0);
+                let ring = reduced(&get('°')?, 1.0, 0.0);
                 let drop = ring.bounds()[0].y;
                 Some(joined(
-                    &self.sketch('%')?,
+                    &get('%')?,
                     &ring.mapped(ring.advance(), |point| point - DVec2::new(0.0, drop)),
                     2.0,
                 ))
@@ -491,4 +338,75 @@ fn dotless(base: char, letter: &Sketch) -> Sketch {
         return letter.clone();
     }
     letter.retaining(|stroke| stroke.iter().any(|point| point.y <= 14.5 / CAP))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::font::repertoire::FAMILIES;
+
+    fn family(number: i32) -> &'static Family {
+        FAMILIES.iter().find(|family| family.number == number).unwrap()
+    }
+
+    /// The character's drawing in the family or in the roman family that stands in for it.
+    fn drawn(of: &Family, character: char) -> Option<Sketch> {
+        of.sketch(character).or_else(|| family(of.weight.roman()).sketch(character))
+    }
+
+    #[test]
+    fn every_family_draws_all_of_latin_1_and_latin_extended_a() {
+        for family in &FAMILIES {
+            for character in ('!'..='~').chain('\u{a1}'..='\u{17f}') {
+                let sketch =
+                    drawn(family, character).unwrap_or_else(|| panic!("{} {character}", family.name));
+                let [low, high] = sketch.bounds();
+                assert_ne!(low, high, "{} {character} is blank", family.name);
+                let overlays = matches!(family.keys, Keys::Symbols(_));
+                assert!(sketch.advance() > 0.0 || overlays, "{} {character}", family.name);
+            }
+        }
+    }
+
+    #[test]
+    fn accented_letters_stay_within_the_character_body() {
+        for family in FAMILIES.iter().filter(|family| matches!(family.keys, Keys::Latin(..))) {
+            for character in ('À'..='ſ').filter(|&character| decompose(character).is_some()) {
+                let (Some(sketch), Some((base, mark))) = (family.sketch(character), decompose(character))
+                else {
+                    panic!("{} {character}", family.name);
+                };
+                let plain = family.sketch(base).unwrap();
+                let [low, high] = sketch.bounds();
+                assert!(high.y < 28.0 / CAP + 1e-9, "{} {character} reaches {}", family.name, high.y);
+                if mark.above() {
+                    let top = if matches!(base, 'i' | 'j') { 14.0 / CAP } else { plain.bounds()[1].y };
+                    assert!(high.y > top, "{} {character} has nothing above", family.name);
+                } else if mark != Mark::SideCaron {
+                    assert!(low.y < 0.0, "{} {character} has nothing below", family.name);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn i_loses_its_dot_below_an_accent() {
+        let simplex = family(-4);
+        let strokes = |character| simplex.sketch(character).unwrap().strokes().count();
+        // Stem and dot; stem; stem and two strokes of dots; stem and accent.
+        assert_eq!(['i', 'ı', 'ï', 'í'].map(strokes), [2, 1, 3, 2]);
+        assert_eq!(strokes('į'), 3);
+    }
+
+    #[test]
+    fn what_the_keys_hide_comes_from_the_roman_family() {
+        for number in [-5, -8, -11, -18, -19, -20] {
+            for character in "éñ¿½©\u{ad}…".chars() {
+                assert!(family(number).sketch(character).is_none(), "{number} {character}");
+            }
+        }
+        // But Greek and Russian letters with accents are composed of their own kind.
+        assert!(family(-5).sketch('έ').is_some());
+        assert!(family(-11).sketch('ё').is_some());
+    }
 }

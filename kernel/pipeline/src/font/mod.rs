@@ -11,6 +11,7 @@
 //! [`OutlineFace::pen_substitute`].
 
 mod accent;
+mod hand_drawn;
 mod hershey;
 mod layout;
 mod letter;
@@ -19,10 +20,12 @@ mod repertoire;
 mod shape;
 mod sketch;
 mod stroke;
+mod style;
 
-pub use layout::{FaceGlyph, Horizontal, Layout, PlacedGlyph, TextPath, TextStyle, Vertical, layout};
+pub use layout::{FaceGlyph, Layout, PlacedGlyph, layout};
 pub use outline::{Outline, OutlineFace, Verb};
 pub use stroke::{StrokeFace, StrokeGlyph};
+pub use style::{Horizontal, TextPath, TextStyle, Vertical};
 
 /// The horizontal lines of a font's design box, in character heights above the base line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +64,14 @@ impl Face {
         match self {
             Self::Stroke(face) => face.number(),
             Self::Outline(face) => face.number,
+        }
+    }
+
+    /// The name of the face: the family of strokes, or the PostScript name of a font file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Stroke(face) => face.name(),
+            Self::Outline(face) => face.postscript_name,
         }
     }
 

@@ -303,3 +303,84 @@ static FACES: [OutlineFace; 14] = [
 pub(crate) fn outline_face(number: i32) -> Option<&'static OutlineFace> {
     FACES.get(usize::try_from((-21_i32).checked_sub(number)?).ok()?)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn face(number: i32) -> &'static OutlineFace {
+        outline_face(number).unwrap()
+    }
+
+    #[test]
+    fn every_file_is_read_and_says_what_the_table_says() {
+        for (number, face) in (21..).map(|number: i32| -number).zip(&FACES) {
+            assert_eq!(face.number, number);
+            let tables = face.tables().unwrap_or_else(|| panic!("{}", face.postscript_name));
+            assert_eq!(tables.font.units_per_em(), face.units_per_em, "{}", face.postscript_name);
+            let attributes = tables.font.default_attributes();
+            assert_eq!(attributes.weight.value() > 500.0, face.bold, "{}", face.postscript_name);
+            let id = skrifa::font::name::NameId::POSTSCRIPT_NAME;
+            let name = tables.font.names().get(id).and_then(|name| name.english_or_first());
+            let name = name.map(|name| name.name().chars().collect::<String>());
+            assert_eq!(name.as_deref(), Some(face.postscript_name));
+            assert!(face.glyphs() > 500);
+        }
+    }
+
+    #[test]
+    fn capitals_are_one_character_height_high() {
+        for face in &FACES {
+            let glyph = face.glyph_id('H').unwrap();
+            let ends = face.outline(glyph).verbs.iter().filter_map(|verb| match *verb {
+                Verb::Move(to) | Verb::Line(to) | Verb::Quad(_, to) | Verb::Cubic(_, _, to) => Some(to.y),
+                Verb::Close => None,
+            });
+            let (low, high) = ends.fold((f64::MAX, f64::MIN), |(low, high), y| (low.min(y), high.max(y)));
+            assert!(low.abs() < 1e-6, "{}: {low}", face.postscript_name);
+            assert!((high * face.em() - 1.0).abs() < 0.02, "{}: {}", face.postscript_name, high * face.em());
+        }
+    }
+
+    #[test]
+    fn monospaced_faces_are_monospaced_and_others_are_not() {
+        for face in &FACES {
+            let advance = |character| face.advance(face.glyph_id(character).unwrap());
+            assert_eq!(advance('i') == advance('M'), (-32..=-29).contains(&face.number), "{}", face.number);
+        }
+    }
+
+    #[test]
+    fn a_missing_character_is_found_in_the_family_then_in_the_symbols_then_in_mathematics() {
+        let found = |number, character| face(number).find(character).0.number;
+        assert_eq!(found(-26, 'A'), -26);
+        assert_eq!(found(-28, '\u{2603}'), -34, "a snowman is a symbol");
+        assert_eq!(found(-21, '\u{1d49c}'), -33, "script capital A is mathematics");
+        let (face, glyph) = face(-23).find('\u{e000}');
+        assert_eq!((face.number, glyph), (-23, 0));
+    }
+
+    #[test]
+    fn pens_get_strokes_of_the_same_character() {
+        let pens: Vec<i32> = FACES.iter().map(|face| face.pen_substitute().number()).collect();
+        assert_eq!(pens, [-4, -12, -4, -12, -7, -13, -10, -14, 1, 1, 1, 1, -7, -7]);
+    }
+
+    #[test]
+    fn numbers_that_are_not_glyphs_are_blank() {
+        let face = face(-21);
+        assert_eq!(face.advance(u16::MAX), 0.0);
+        assert!(face.outline(u16::MAX).verbs.is_empty());
+        assert!(face.outline(face.glyph_id(' ').unwrap()).verbs.is_empty());
+    }
+
+    #[test]
+    fn the_licences_come_with_the_files() {
+        let liberation = include_str!("../../data/outline/LICENSE-Liberation");
+        assert!(liberation.contains("Reserved Font Name Liberation") && liberation.contains("DISCLAIMER"));
+        let dejavu = include_str!("../../data/outline/LICENSE-DejaVu");
+        assert!(dejavu.contains("Bitstream Vera Fonts Copyright") && dejavu.contains("Arev Fonts Copyright"));
+        let hershey = include_str!("../../data/hershey/LICENSE");
+        assert!(hershey.contains("A. V. Hershey") && hershey.contains("James Hurt"));
+    }
+}

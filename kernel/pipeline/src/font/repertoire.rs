@@ -194,8 +194,8 @@ impl Family {
             },
             // The round s at all places: the long one is a character of its own.
             (Keys::Latin(3301, _), 's') => Some(3427),
-            (Keys::Latin(3301, _), 'ſ') => Some(3419),
-            (Keys::Latin(3301, _), 'ß') => Some(3428),
+            (Keys::Latin(..), 'ſ') if self.weight == Weight::Gothic => Some(3419),
+            (Keys::Latin(..), 'ß') if self.weight == Weight::Gothic => Some(3428),
             (Keys::Latin(upper, lower), ' '..='~') => self.ascii(character, upper, lower),
             (Keys::Greek(upper, lower), 'A'..='Z' | 'a'..='z') => Some(greek_key(character, upper, lower)),
             (Keys::Cyrillic, '=' | '>' | '?' | '@' | 'A'..='^' | 'a'..='~') => {

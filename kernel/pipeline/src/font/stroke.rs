@@ -188,3 +188,71 @@ pub(crate) fn stroke_face(number: i32) -> Option<&'static StrokeFace> {
 pub(super) fn default_face() -> &'static StrokeFace {
     &FACES[0]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn font_1_is_monospaced_and_keeps_its_ink_inside_the_cell() {
+        let face = default_face();
+        for character in (' '..='~').chain('\u{a1}'..='\u{17f}').chain("ΩжЩ∑→😀".chars()) {
+            let glyph = face.glyph(character).unwrap();
+            assert_eq!(glyph.advance, 1.0, "{character}");
+            let [low, high] = glyph.bounds;
+            assert!(low.x >= 0.0 && high.x <= 1.0, "{character} from {} to {}", low.x, high.x);
+        }
+        assert_eq!(face.glyph('\u{301}').unwrap().advance, 0.0);
+    }
+
+    #[test]
+    fn a_glyph_is_made_once() {
+        for character in ['A', 'é', 'Ω', '\u{2603}', '\u{e000}'] {
+            for face in FACES.iter() {
+                let (first, second) = (face.glyph(character).unwrap(), face.glyph(character).unwrap());
+                assert!(std::ptr::eq(first, second), "{} {character}", face.name());
+            }
+        }
+    }
+
+    #[test]
+    fn what_no_face_has_is_a_box_and_what_is_invisible_is_nothing() {
+        for face in FACES.iter() {
+            let unknown = face.glyph('\u{e000}').unwrap();
+            assert!(std::ptr::eq(unknown, missing()));
+            assert_eq!(unknown.strokes().count(), 1);
+            for character in ['\0', '\n', '\u{7f}', '\u{9b}', '\u{200d}', '\u{fe0f}'] {
+                assert!(face.glyph(character).is_none());
+            }
+        }
+    }
+
+    #[test]
+    fn what_the_repertoire_lacks_is_drawn_as_contours() {
+        let snowman = stroke_face(-7).unwrap().glyph('\u{2603}').unwrap();
+        assert!(snowman.strokes().count() > 5);
+        for stroke in snowman.strokes() {
+            assert_eq!(stroke.first(), stroke.last(), "contours are closed");
+        }
+    }
+
+    #[test]
+    fn the_families_are_the_ones_their_numbers_say() {
+        let strokes = |number, character| stroke_face(number).unwrap().glyph(character).unwrap().ends.len();
+        // The same letter takes more and more strokes from simplex to triplex.
+        let weights = [-4, -12, -7, -13].map(|number| strokes(number, 'I'));
+        assert_eq!(weights, [1, 2, 4, 13]);
+        // Italic letters lean to the right: the top of I is right of its foot.
+        for (number, leans) in [(-4, false), (-7, false), (-13, false), (-10, true), (-14, true), (-9, true)]
+        {
+            let glyph = stroke_face(number).unwrap().glyph('I').unwrap();
+            let middle = |from: f64, to: f64| {
+                let places = glyph.points.iter().filter(|point| (from..=to).contains(&point.y));
+                let (sum, count) =
+                    places.fold((0.0, 0.0), |(sum, count), point| (sum + point.x, count + 1.0));
+                sum / count
+            };
+            assert_eq!(middle(0.8, 1.0) > middle(0.0, 0.2) + 0.1, leans, "{number}");
+        }
+    }
+}
