@@ -7,6 +7,7 @@
 pub mod catalogue;
 pub mod hpgl;
 pub mod null;
+pub mod number;
 pub mod options;
 pub mod pdf;
 pub mod postscript;
