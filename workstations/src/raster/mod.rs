@@ -1,1 +1,18 @@
-//! (placeholder)
+//! Raster workstations: true-colour and indexed frame buffers, and image files made of them.
+//!
+//! One device unit is one pixel; columns count from the left and rows from the top, so that the centre of
+//! pixel (c, r) is the point (c + 0.5, r + 0.5).
+
+mod cells;
+mod clip;
+mod composite;
+mod curve;
+mod describe;
+mod encode;
+mod pattern;
+mod stroke;
+mod true_colour;
+
+pub use describe::{Layout, SizeError, indexed, true_colour};
+pub use encode::Format;
+pub use true_colour::{SharedPixels, TrueColour};

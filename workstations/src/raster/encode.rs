@@ -1,0 +1,272 @@
+//! Image files: a picture becomes PNG, JPEG, TIFF, BMP or WebP.
+
+use super::describe::Layout;
+use gks_pipeline::device::{DeviceError, Sink};
+use image::codecs::bmp::BmpEncoder;
+use image::codecs::jpeg::{JpegEncoder, PixelDensity, PixelDensityUnit};
+use image::codecs::tiff::TiffEncoder;
+use image::codecs::webp::WebPEncoder;
+use image::{ExtendedColorType, ImageEncoder, ImageError};
+use std::io::Cursor;
+
+/// A format of image files.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Portable network graphics: lossless, with resolution and opacity.
+    Png,
+    /// JPEG: lossy, with resolution.
+    Jpeg,
+    /// TIFF, not compressed, with opacity.
+    Tiff,
+    /// Windows bitmap, not compressed, with opacity.
+    Bmp,
+    /// WebP: lossless, with opacity.
+    Webp,
+}
+
+impl Format {
+    /// The largest width and height that the format can hold.
+    pub(super) fn longest_side(self) -> u32 {
+        match self {
+            Format::Webp => 16383,
+            _ => u32::MAX,
+        }
+    }
+}
+
+/// The samples of a picture, row by row from the top, without padding.
+pub(super) enum Samples {
+    /// Red, green and blue.
+    Rgb(Vec<u8>),
+    /// Red, green, blue and opacity, not premultiplied.
+    Rgba(Vec<u8>),
+}
+
+/// Writes a picture as one document.
+///
+/// `quality` is that of JPEG, from 1 to 100.
+pub(super) fn write(
+    samples: Samples,
+    layout: Layout,
+    format: Format,
+    quality: u8,
+    sink: &mut dyn Sink,
+) -> Result<(), DeviceError> {
+    let bytes = match format {
+        Format::Png => png(&samples, layout)?,
+        _ => image(samples.without_palette(format), layout, format, quality)?,
+    };
+    sink.open()?;
+    sink.write(&bytes)?;
+    sink.finish()?;
+    Ok(())
+}
+
+impl Samples {
+    /// The same picture as the formats want it that know no palette, and JPEG no opacity.
+    fn without_palette(self, format: Format) -> (Vec<u8>, ExtendedColorType) {
+        let rgba = match self {
+            Samples::Rgb(rgb) => return (rgb, ExtendedColorType::Rgb8),
+            Samples::Rgba(rgba) => rgba,
+        };
+        if format != Format::Jpeg {
+            return (rgba, ExtendedColorType::Rgba8);
+        }
+        let on_white = |c: u8, alpha: u8| {
+            let sum = u32::from(c) * u32::from(alpha) + 255 * (255 - u32::from(alpha));
+            ((sum + 127) / 255) as u8
+        };
+        let rgb = rgba.chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]].map(|c| on_white(c, p[3])));
+        (rgb.collect(), ExtendedColorType::Rgb8)
+    }
+}
+
+fn png(samples: &Samples, layout: Layout) -> Result<Vec<u8>, DeviceError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, layout.width, layout.height);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Fast);
+    let per_metre = (1.0 / layout.pixel).round() as u32;
+    encoder.set_pixel_dims(Some(png::PixelDimensions {
+        xppu: per_metre,
+        yppu: per_metre,
+        unit: png::Unit::Meter,
+    }));
+    let data = match samples {
+        Samples::Rgb(rgb) => {
+            encoder.set_color(png::ColorType::Rgb);
+            rgb
+        }
+        Samples::Rgba(rgba) => {
+            encoder.set_color(png::ColorType::Rgba);
+            rgba
+        }
+    };
+    let failed = |error: png::EncodingError| match error {
+        png::EncodingError::IoError(error) => DeviceError::Io(error),
+        other => DeviceError::Encode(other.to_string()),
+    };
+    let mut writer = encoder.write_header().map_err(failed)?;
+    writer.write_image_data(data).map_err(failed)?;
+    writer.finish().map_err(failed)?;
+    Ok(bytes)
+}
+
+fn image(
+    (data, colour): (Vec<u8>, ExtendedColorType),
+    layout: Layout,
+    format: Format,
+    quality: u8,
+) -> Result<Vec<u8>, DeviceError> {
+    let mut bytes = Vec::new();
+    let (width, height) = (layout.width, layout.height);
+    let done = match format {
+        Format::Jpeg => {
+            let mut encoder = JpegEncoder::new_with_quality(&mut bytes, quality.clamp(1, 100));
+            let density = (0.0254 / layout.pixel).round().clamp(1.0, 65535.0) as u16;
+            encoder.set_pixel_density(PixelDensity {
+                density: (density, density),
+                unit: PixelDensityUnit::Inches,
+            });
+            encoder.write_image(&data, width, height, colour)
+        }
+        Format::Tiff => TiffEncoder::new(Cursor::new(&mut bytes)).write_image(&data, width, height, colour),
+        Format::Bmp => BmpEncoder::new(&mut bytes).write_image(&data, width, height, colour),
+        Format::Webp => WebPEncoder::new_lossless(&mut bytes).write_image(&data, width, height, colour),
+        Format::Png => return Err(DeviceError::Encode("PNG is written without the image codecs".into())),
+    };
+    done.map_err(|error| match error {
+        ImageError::IoError(error) => DeviceError::Io(error),
+        other => DeviceError::Encode(other.to_string()),
+    })?;
+    Ok(bytes)
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use image::{DynamicImage, ImageFormat};
+    use std::io;
+    use std::sync::{Arc, Mutex};
+
+    /// Documents in memory.
+    #[derive(Clone, Default)]
+    pub(in crate::raster) struct MemorySink(pub(in crate::raster) Arc<Mutex<Vec<Vec<u8>>>>);
+
+    impl Sink for MemorySink {
+        fn open(&mut self) -> io::Result<()> {
+            self.0.lock().unwrap().push(Vec::new());
+            Ok(())
+        }
+
+        fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
+            self.0.lock().unwrap().last_mut().unwrap().extend_from_slice(bytes);
+            Ok(())
+        }
+
+        fn finish(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    /// Fails after `0` calls.
+    struct FailingSink(u32);
+
+    impl FailingSink {
+        fn call(&mut self) -> io::Result<()> {
+            self.0 = self.0.checked_sub(1).ok_or(io::ErrorKind::StorageFull)?;
+            Ok(())
+        }
+    }
+
+    impl Sink for FailingSink {
+        fn open(&mut self) -> io::Result<()> {
+            self.call()
+        }
+
+        fn write(&mut self, _: &[u8]) -> io::Result<()> {
+            self.call()
+        }
+
+        fn finish(&mut self) -> io::Result<()> {
+            self.call()
+        }
+    }
+
+    const LAYOUT: Layout = Layout { width: 16, height: 8, pixel: 0.0254 / 300.0 };
+    const FORMATS: [(Format, ImageFormat); 5] = [
+        (Format::Png, ImageFormat::Png),
+        (Format::Jpeg, ImageFormat::Jpeg),
+        (Format::Tiff, ImageFormat::Tiff),
+        (Format::Bmp, ImageFormat::Bmp),
+        (Format::Webp, ImageFormat::WebP),
+    ];
+
+    /// Blue with the left half of the given colour.
+    fn halves(left: &[u8], right: &[u8]) -> Vec<u8> {
+        (0..16 * 8).flat_map(|i| if i % 16 < 8 { left.to_vec() } else { right.to_vec() }).collect()
+    }
+
+    fn written(samples: Samples, format: Format) -> Vec<u8> {
+        let mut sink = MemorySink::default();
+        write(samples, LAYOUT, format, 95, &mut sink).unwrap();
+        let documents = sink.0.lock().unwrap();
+        assert_eq!(documents.len(), 1);
+        documents[0].clone()
+    }
+
+    fn read(bytes: &[u8], format: ImageFormat) -> DynamicImage {
+        let picture = image::load_from_memory_with_format(bytes, format).unwrap();
+        assert_eq!((picture.width(), picture.height()), (16, 8));
+        picture
+    }
+
+    fn resembles(picture: &DynamicImage, column: u32, row: u32, expected: [u8; 4]) -> bool {
+        picture.to_rgba8().get_pixel(column, row).0.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= 4)
+    }
+
+    #[test]
+    fn every_format_reads_back() {
+        for (format, other) in FORMATS {
+            let picture = read(&written(Samples::Rgb(halves(&[250, 20, 30], &[0, 0, 255])), format), other);
+            assert!(!picture.color().has_alpha(), "{format:?}");
+            assert!(resembles(&picture, 2, 3, [250, 20, 30, 255]), "{format:?}");
+            assert!(resembles(&picture, 13, 7, [0, 0, 255, 255]), "{format:?}");
+        }
+    }
+
+    #[test]
+    fn opacity_is_kept_or_shown_on_white() {
+        for (format, other) in FORMATS {
+            let picture =
+                read(&written(Samples::Rgba(halves(&[0, 0, 0, 0], &[255, 0, 0, 128])), format), other);
+            let (left, right) = match format {
+                Format::Jpeg => ([255; 4], [255, 127, 127, 255]),
+                _ => ([0; 4], [255, 0, 0, 128]),
+            };
+            assert!(resembles(&picture, 2, 3, left), "{format:?} {:?}", picture.to_rgba8().get_pixel(2, 3));
+            assert!(resembles(&picture, 13, 3, right), "{format:?}");
+        }
+    }
+
+    #[test]
+    fn the_resolution_is_in_the_file() {
+        let bytes = written(Samples::Rgb(halves(&[1, 2, 3], &[4, 5, 6])), Format::Png);
+        let reader = png::Decoder::new(Cursor::new(&bytes)).read_info().unwrap();
+        let density = reader.info().pixel_dims.unwrap();
+        assert_eq!((density.xppu, density.yppu, density.unit), (11811, 11811, png::Unit::Meter));
+        let jpeg = written(Samples::Rgb(halves(&[1, 2, 3], &[4, 5, 6])), Format::Jpeg);
+        assert_eq!(jpeg[6..18], *b"JFIF\0\x01\x02\x01\x01\x2c\x01\x2c", "300 pixels per inch");
+    }
+
+    #[test]
+    fn a_sink_that_fails_is_an_error() {
+        for calls in 0..3 {
+            let samples = Samples::Rgb(halves(&[1, 2, 3], &[4, 5, 6]));
+            let result = write(samples, LAYOUT, Format::Png, 90, &mut FailingSink(calls));
+            assert!(matches!(result, Err(DeviceError::Io(_))), "{calls}");
+        }
+        let samples = Samples::Rgb(halves(&[1, 2, 3], &[4, 5, 6]));
+        assert!(write(samples, LAYOUT, Format::Png, 90, &mut FailingSink(3)).is_ok());
+    }
+}

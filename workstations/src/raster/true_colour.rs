@@ -1,0 +1,517 @@
+//! The true-colour workstation: a frame buffer of colours, antialiased, and image files of it.
+
+use super::cells;
+use super::clip::Window;
+use super::composite::{Pixel, colour, over, pixel, skia};
+use super::curve::Outline;
+use super::describe::{Layout, SizeError};
+use super::encode::{self, Format, Samples};
+use super::pattern;
+use super::stroke::{Stroker, visible_width};
+use crate::options::Options;
+use gks_algorithms::clip::polyline;
+use gks_geometry::{Du, PathBuf, Paths, Rect};
+use gks_pipeline::colour::Colour;
+use gks_pipeline::device::{
+    Device, DeviceError, Drawn, Fill, Form, FrameBuffer, Grid, Mark, Page, Pen, Rule, Sink, Surface,
+};
+use gks_pipeline::item::{Curve, Parallelogram};
+use glam::DVec2;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use tiny_skia::{FillRule, Paint, Pixmap, Transform};
+
+/// How far outside of the frame buffer the scan converter is given points, in pixels.
+const MARGIN: f64 = 4096.0;
+
+/// A frame buffer of colours, which may be written as an image file for each page.
+///
+/// It draws solid lines, areas, patterns, cells and curves; what is left to the pipeline is text, markers,
+/// dashes, and the exact clipping of everything but cells and patterns.
+pub struct TrueColour {
+    layout: Layout,
+    surface: Surface,
+    canvas: Arc<Mutex<Pixmap>>,
+    background: Option<Colour>,
+    transparent: bool,
+    /// Whether every pixel is opaque.
+    opaque: bool,
+    antialias: bool,
+    quality: u8,
+    output: Option<(Box<dyn Sink>, Format)>,
+}
+
+/// A handle to the pixels of a [`TrueColour`], by which a program reads what has been drawn so far, also
+/// after the workstation is closed.
+#[derive(Clone)]
+pub struct SharedPixels {
+    canvas: Arc<Mutex<Pixmap>>,
+}
+
+impl SharedPixels {
+    /// Number of columns and rows.
+    pub fn size(&self) -> (u32, u32) {
+        let canvas = lock(&self.canvas);
+        (canvas.width(), canvas.height())
+    }
+
+    /// Calls `read` with the pixels: red, green, blue and opacity, one byte each, premultiplied by the opacity,
+    /// row by row from the top. Nothing is drawn until it returns.
+    pub fn read<R>(&self, read: impl FnOnce(&[u8]) -> R) -> R {
+        read(lock(&self.canvas).data())
+    }
+}
+
+fn lock(canvas: &Mutex<Pixmap>) -> MutexGuard<'_, Pixmap> {
+    canvas.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl TrueColour {
+    /// A frame buffer of the size that options ask for, written to the sink at the end of each page if there
+    /// is one.
+    pub fn new(options: &Options, output: Option<(Box<dyn Sink>, Format)>) -> Result<Self, SizeError> {
+        let longest = output.as_ref().map_or(u32::MAX, |(_, format)| format.longest_side());
+        let layout = Layout::limited(options, longest)?;
+        let canvas = Pixmap::new(layout.width, layout.height);
+        let canvas = canvas.ok_or(SizeError::Pixels(layout.width, layout.height))?;
+        Ok(TrueColour {
+            layout,
+            surface: layout.surface(),
+            canvas: Arc::new(Mutex::new(canvas)),
+            background: options.background,
+            transparent: options.transparent,
+            opaque: false,
+            antialias: options.antialias.unwrap_or(true),
+            quality: options.quality.unwrap_or(90),
+            output,
+        })
+    }
+
+    /// A handle to the pixels.
+    pub fn shared(&self) -> SharedPixels {
+        SharedPixels { canvas: Arc::clone(&self.canvas) }
+    }
+
+    fn fill(&self, outline: Outline, rule: FillRule, colour: Colour) {
+        if let Some(path) = outline.finish() {
+            let mut paint = Paint { anti_alias: self.antialias, ..Paint::default() };
+            paint.set_color(skia(colour));
+            lock(&self.canvas).fill_path(&path, &paint, rule, Transform::identity(), None);
+        }
+    }
+
+    /// Draws with a pen inside of `bounds`. What is translucent is drawn opaque elsewhere first, so that
+    /// a line that meets itself does not become darker there.
+    fn stroke(&self, pen: &Pen<'_>, bounds: &Rect<Du>, draw: impl FnOnce(&mut Stroker<'_>)) {
+        let mut canvas = lock(&self.canvas);
+        let colour = pen.paint.colour;
+        if colour.to_bytes()[3] == 255 {
+            return draw(&mut Stroker::new(&mut canvas, DVec2::ZERO, colour, pen, self.antialias));
+        }
+        // A miter reaches ten times as far as the line is wide.
+        let bounds = bounds.grown(visible_width(pen.width) * 11.0 + 2.0);
+        let all = Window::new(None, self.layout.width, self.layout.height, self.antialias);
+        let (columns, rows) = all.touched_by(&bounds);
+        let Some(mut apart) = Pixmap::new(columns.len() as u32, rows.len() as u32) else { return };
+        let corner = DVec2::new(f64::from(columns.start), f64::from(rows.start));
+        draw(&mut Stroker::new(&mut apart, corner, Colour::BLACK, pen, self.antialias));
+        let width = self.layout.width as usize;
+        let colour = pixel(colour);
+        for (row, parts) in rows.zip(apart.pixels().chunks_exact(columns.len())) {
+            let line = &mut canvas.pixels_mut()[row as usize * width..][columns.start as usize..];
+            for (below, part) in line.iter_mut().zip(parts) {
+                over(below, colour, part.alpha());
+            }
+        }
+    }
+
+    fn lines(&self, paths: Paths<'_, Du>, pen: &Pen<'_>) {
+        let Some(bounds) = paths.bounds() else { return };
+        let near = self.surface.extent().grown(MARGIN + pen.width * 11.0);
+        if near.contains_rect(&bounds) {
+            return self.stroke(pen, &bounds, |stroker| stroker.lines(paths));
+        }
+        let mut cut = PathBuf::<Du>::new();
+        for path in paths.iter() {
+            polyline((near.min.0, near.max.0), path, &mut cut.points, &mut cut.ends);
+        }
+        self.stroke(pen, &near, |stroker| stroker.lines(cut.as_paths()));
+    }
+
+    fn cells(&self, frame: &Parallelogram<Du>, grid: &Grid<'_>, window: &Window) {
+        let mut canvas = lock(&self.canvas);
+        let width = canvas.width() as usize;
+        let opaque = grid.paints.iter().all(|paint| paint.colour.to_bytes()[3] == 255);
+        let pixels = std::cell::RefCell::new(canvas.pixels_mut());
+        cells::draw(
+            window.centred(),
+            frame,
+            grid,
+            |paint| pixel(paint.colour),
+            |column, row, above: Pixel| {
+                over(&mut pixels.borrow_mut()[row as usize * width + column as usize], above, 255);
+            },
+            |columns, row| {
+                if opaque {
+                    let before = (row as usize - 1) * width + columns.start as usize;
+                    pixels.borrow_mut().copy_within(before..before + columns.len(), before + width);
+                }
+                opaque
+            },
+        );
+    }
+}
+
+/// A rectangle that contains a curve.
+fn bounds(curve: &Curve<'_, Du>) -> Option<Rect<Du>> {
+    match curve {
+        Curve::Bezier(points) => Paths::new(points, &[]).bounds(),
+        Curve::Ellipse(e) => {
+            let reach = e.a.0.abs() + e.b.0.abs();
+            Paths::new(&[e.centre.0 - reach, e.centre.0 + reach], &[]).bounds()
+        }
+    }
+}
+
+fn rule(rule: Rule) -> FillRule {
+    match rule {
+        Rule::EvenOdd => FillRule::EvenOdd,
+        Rule::NonZero => FillRule::Winding,
+    }
+}
+
+impl Device for TrueColour {
+    fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
+        let background = match (self.transparent, self.background) {
+            (true, _) => Colour { alpha: 0.0, ..Colour::BLACK },
+            (false, Some(colour)) => colour,
+            (false, None) => page.background,
+        };
+        self.opaque = background.to_bytes()[3] == 255;
+        lock(&self.canvas).fill(skia(background));
+        Ok(())
+    }
+
+    fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
+        let (width, height) = (self.layout.width, self.layout.height);
+        match (&mark.form, mark.clip) {
+            (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(*paths, pen),
+            (Form::Area(rings, by, Fill::Solid(paint)), None) => {
+                let mut outline = Outline::new(DVec2::ZERO);
+                outline.rings(*rings);
+                self.fill(outline, rule(*by), paint.colour);
+            }
+            (Form::Area(rings, by, Fill::Pattern(frame, grid)), clip) => {
+                let window = Window::new(clip, width, height, self.antialias);
+                let mut canvas = lock(&self.canvas);
+                pattern::fill(&mut canvas, (*rings, rule(*by)), &window, self.antialias, (frame, grid));
+            }
+            (Form::Cells(frame, grid), clip) => {
+                self.cells(frame, grid, &Window::new(clip, width, height, self.antialias));
+            }
+            (Form::Stroke(curve, pen), None) if pen.dash.is_empty() => {
+                if let Some(bounds) = bounds(curve) {
+                    self.stroke(pen, &bounds, |stroker| stroker.curve(curve));
+                }
+            }
+            (Form::Filled(curve, paint), None) => {
+                let mut outline = Outline::new(DVec2::ZERO);
+                outline.curve(curve);
+                self.fill(outline, FillRule::EvenOdd, paint.colour);
+            }
+            _ => return Ok(Drawn::No),
+        }
+        Ok(Drawn::Yes)
+    }
+
+    fn end(&mut self) -> Result<(), DeviceError> {
+        let Some((sink, format)) = &mut self.output else { return Ok(()) };
+        let canvas = lock(&self.canvas);
+        let samples = if self.opaque {
+            let mut rgb = Vec::with_capacity(self.layout.pixels() * 3);
+            rgb.extend(canvas.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]));
+            Samples::Rgb(rgb)
+        } else {
+            Samples::Rgba(canvas.clone().take_demultiplied())
+        };
+        drop(canvas);
+        encode::write(samples, self.layout, *format, self.quality, sink.as_mut())
+    }
+
+    fn close(&mut self) -> Result<(), DeviceError> {
+        Ok(())
+    }
+
+    fn frame_buffer(&mut self) -> Option<&mut dyn FrameBuffer> {
+        Some(self)
+    }
+}
+
+impl FrameBuffer for TrueColour {
+    fn size(&self) -> (u32, u32) {
+        (self.layout.width, self.layout.height)
+    }
+
+    fn colour(&self, column: u32, row: u32) -> Option<Colour> {
+        let inside = column < self.layout.width && row < self.layout.height;
+        lock(&self.canvas).pixel(column, row).filter(|_| inside).map(colour)
+    }
+
+    fn index(&self, _: u32, _: u32) -> Option<u32> {
+        None
+    }
+
+    fn set_colour(&mut self, _: u32, _: Colour) -> bool {
+        false
+    }
+
+    fn set_antialiasing(&mut self, on: bool) -> bool {
+        self.antialias = on;
+        true
+    }
+
+    fn antialiasing(&self) -> bool {
+        self.antialias
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gks_geometry::{Point, Vector};
+    use gks_pipeline::colour::Paint;
+    use gks_pipeline::item::{Closure, Ellipse};
+    use gks_pipeline::look::{Cap, Join};
+
+    const BLACK: Paint = Paint { colour: Colour::BLACK, index: 1 };
+    const RED: Paint = Paint { colour: Colour::rgb(1.0, 0.0, 0.0), index: 2 };
+    const HALF: Paint = Paint { colour: Colour { alpha: 0.5, ..Colour::BLACK }, index: 3 };
+
+    fn canvas(width: f64, height: f64) -> TrueColour {
+        let options = Options { size: Some((width, height)), ..Options::default() };
+        let mut device = TrueColour::new(&options, None).unwrap();
+        device.begin(&Page { number: 1, background: Colour::WHITE, colours: vec![] }).unwrap();
+        device
+    }
+
+    fn draw(device: &mut TrueColour, form: Form<'_>, clip: Option<Rect<Du>>) {
+        assert_eq!(device.draw(&Mark { form, clip }).unwrap(), Drawn::Yes);
+    }
+
+    fn pen(paint: Paint, width: f64) -> Pen<'static> {
+        Pen { paint, width, dash: &[], cap: Cap::Butt, join: Join::Miter }
+    }
+
+    fn points(of: &[(f64, f64)]) -> Vec<DVec2> {
+        of.iter().map(|&p| p.into()).collect()
+    }
+
+    fn rectangle(x0: f64, x1: f64, y0: f64, y1: f64) -> Vec<DVec2> {
+        points(&[(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
+    }
+
+    /// The green component of every pixel, row by row: 0 where black or red was drawn, 255 on white.
+    fn greens(device: &TrueColour) -> Vec<Vec<u8>> {
+        let (width, _) = device.size();
+        device.shared().read(|bytes| {
+            let rows = bytes.chunks_exact(width as usize * 4);
+            rows.map(|row| row.chunks_exact(4).map(|p| p[1]).collect()).collect()
+        })
+    }
+
+    #[test]
+    fn areas_follow_their_rule_and_cover_pixels_in_part() {
+        for (rule, inner) in [(Rule::EvenOdd, 255), (Rule::NonZero, 0)] {
+            let mut device = canvas(8.0, 8.0);
+            let mut rings = rectangle(1.0, 7.0, 1.0, 6.5);
+            rings.extend(rectangle(3.0, 5.0, 3.0, 5.0));
+            draw(&mut device, Form::Area(Paths::new(&rings, &[4, 8]), rule, Fill::Solid(BLACK)), None);
+            let g = greens(&device);
+            assert_eq!((g[0][0], g[1][1], g[2][2], g[7][3]), (255, 0, 0, 255));
+            assert_eq!(g[4][4], inner);
+            assert!((120..=135).contains(&g[6][3]), "{}", g[6][3]);
+        }
+    }
+
+    #[test]
+    fn without_antialiasing_there_are_only_two_colours() {
+        let mut device = canvas(20.0, 20.0);
+        assert!(device.set_antialiasing(false) && !device.antialiasing());
+        let line = points(&[(1.0, 2.0), (18.0, 9.0), (3.0, 18.5)]);
+        draw(&mut device, Form::Lines(Paths::new(&line, &[3]), pen(BLACK, 1.0)), None);
+        draw(&mut device, Form::Lines(Paths::new(&line[1..2], &[1]), pen(BLACK, 3.0)), None);
+        draw(&mut device, Form::Area(Paths::new(&line, &[3]), Rule::EvenOdd, Fill::Solid(BLACK)), None);
+        let g = greens(&device).concat();
+        assert!(g.iter().all(|&v| v == 0 || v == 255));
+        assert!(g.iter().filter(|&&v| v == 0).count() > 100);
+    }
+
+    #[test]
+    fn a_translucent_line_that_crosses_itself_has_one_opacity() {
+        for width in [1.0, 4.0] {
+            let mut device = canvas(40.0, 40.0);
+            let cross = points(&[(2.5, 20.5), (37.5, 20.5), (20.5, 37.5), (20.5, 2.5)]);
+            draw(&mut device, Form::Lines(Paths::new(&cross, &[4]), pen(HALF, width)), None);
+            let g = greens(&device);
+            assert!(g[20][10].abs_diff(127) <= 1, "{}", g[20][10]);
+            assert_eq!(g[20][20], g[20][10], "at the crossing");
+            assert!(g.concat().iter().all(|&v| v >= g[20][10]));
+        }
+    }
+
+    #[test]
+    fn a_long_wide_line_is_drawn_whole() {
+        let mut device = canvas(600.0, 100.0);
+        let wave: Vec<DVec2> = (0..4000)
+            .map(|i| DVec2::new(20.0 + 0.14 * f64::from(i), 50.0 + 30.0 * (f64::from(i) * 0.01).sin()))
+            .collect();
+        let wide = Pen { cap: Cap::Projecting, ..pen(BLACK, 8.0) };
+        draw(&mut device, Form::Lines(Paths::new(&wave, &[4000]), wide), None);
+        let g = greens(&device);
+        for p in &wave {
+            assert_eq!(g[p.y as usize][p.x as usize], 0, "{p}");
+        }
+        assert_eq!(g[49][17], 0, "a projecting end");
+        assert_eq!(g[49][14], 255);
+    }
+
+    #[test]
+    fn dots_are_as_wide_as_the_pen() {
+        let mut device = canvas(30.0, 10.0);
+        let dots = points(&[(4.5, 4.5), (10.0, 5.0), (20.0, 5.0)]);
+        draw(&mut device, Form::Lines(Paths::new(&dots[..1], &[1]), pen(BLACK, 1.0)), None);
+        draw(&mut device, Form::Lines(Paths::new(&dots[1..2], &[1]), pen(BLACK, 4.0)), None);
+        let round = Pen { cap: Cap::Round, ..pen(BLACK, 6.0) };
+        draw(&mut device, Form::Lines(Paths::new(&dots[2..], &[1]), round), None);
+        let g = greens(&device);
+        let black = |columns: std::ops::Range<usize>| {
+            g.iter().map(|row| row[columns.clone()].iter().filter(|&&v| v == 0).count()).sum::<usize>()
+        };
+        assert_eq!((black(0..7), g[4][4]), (1, 0));
+        assert_eq!(black(7..14), 16);
+        let ink: f64 = g.iter().flat_map(|row| &row[15..26]).map(|&v| 1.0 - f64::from(v) / 255.0).sum();
+        assert!((ink - 9.0 * std::f64::consts::PI).abs() < 1.0, "{ink}");
+    }
+
+    #[test]
+    fn a_cell_fills_the_pixels_whose_centre_it_contains() {
+        let mut device = canvas(6.0, 4.0);
+        let frame = Parallelogram {
+            origin: Point::new(0.6, 0.4),
+            columns: Vector::new(4.0, 0.0),
+            rows: Vector::new(0.0, 2.2),
+        };
+        let grid = Grid { paints: &[BLACK, RED], columns: 2, rows: 1 };
+        draw(&mut device, Form::Cells(frame, grid), Some(Rect::new(0.0, 6.0, 0.0, 1.8)));
+        let colours =
+            |row| -> Vec<[u8; 4]> { (0..6).map(|c| device.colour(c, row).unwrap().to_bytes()).collect() };
+        let (w, b, r) = ([255; 4], [0, 0, 0, 255], [255, 0, 0, 255]);
+        assert_eq!(colours(0), [w, b, b, r, r, w]);
+        assert_eq!(colours(1), [w, b, b, r, r, w]);
+        assert_eq!(colours(2), [w; 6], "clipped");
+        assert_eq!(device.colour(6, 0), None);
+    }
+
+    #[test]
+    fn a_pattern_is_tiled_and_its_area_clipped_at_parts_of_pixels() {
+        let mut device = canvas(8.0, 6.0);
+        let far = rectangle(-1e9, 1e9, -1e9, 1e9);
+        let frame = Parallelogram {
+            origin: Point::new(1.0, 1.0),
+            columns: Vector::new(4.0, 0.0),
+            rows: Vector::new(0.0, 2.0),
+        };
+        let white = Paint { colour: Colour::WHITE, index: 0 };
+        let fill = Fill::Pattern(frame, Grid { paints: &[BLACK, white], columns: 2, rows: 1 });
+        let clip = Some(Rect::new(1.5, 8.0, 0.0, 5.0));
+        draw(&mut device, Form::Area(Paths::new(&far, &[4]), Rule::EvenOdd, fill), clip);
+        let g = greens(&device);
+        assert_eq!(g[0], [255, 127, 0, 255, 255, 0, 0, 255]);
+        assert_eq!(g[4], g[0]);
+        assert_eq!(g[5], [255; 8]);
+    }
+
+    #[test]
+    fn ellipses_are_filled_and_stroked() {
+        let mut device = canvas(100.0, 100.0);
+        let ellipse = |closure, sweep| {
+            Curve::Ellipse(Ellipse {
+                centre: Point::new(50.0, 50.0),
+                a: Vector::new(40.0, 0.0),
+                b: Vector::new(0.0, 20.0),
+                start: 0.0,
+                sweep,
+                closure,
+            })
+        };
+        draw(&mut device, Form::Filled(ellipse(Closure::Full, 1.0), BLACK), None);
+        let ink = |device: &TrueColour| {
+            greens(device).concat().iter().map(|&v| 1.0 - f64::from(v) / 255.0).sum::<f64>()
+        };
+        assert!((ink(&device) - 800.0 * std::f64::consts::PI).abs() < 8.0, "{}", ink(&device));
+        let mut device = canvas(100.0, 100.0);
+        draw(&mut device, Form::Stroke(ellipse(Closure::Open, std::f64::consts::PI), pen(BLACK, 3.0)), None);
+        let g = greens(&device);
+        assert_eq!((g[69][50], g[30][50]), (0, 255), "the half with positive ordinates");
+    }
+
+    #[test]
+    fn what_is_left_to_the_pipeline_is_refused_untouched() {
+        let mut device = canvas(10.0, 10.0);
+        let line = points(&[(1.0, 1.0), (9.0, 9.0)]);
+        let paths = Paths::new(&line, &[2]);
+        let clip = Some(Rect::new(0.0, 5.0, 0.0, 5.0));
+        for (form, clip) in [
+            (Form::Lines(paths, Pen { dash: &[1.0, 1.0], ..pen(BLACK, 1.0) }), None),
+            (Form::Lines(paths, pen(BLACK, 1.0)), clip),
+            (Form::Area(paths, Rule::EvenOdd, Fill::Solid(BLACK)), clip),
+            (Form::Filled(Curve::Bezier(&line), BLACK), clip),
+        ] {
+            assert_eq!(device.draw(&Mark { form, clip }).unwrap(), Drawn::No);
+        }
+        assert!(greens(&device).concat().iter().all(|&v| v == 255));
+    }
+
+    #[test]
+    fn far_and_bad_coordinates_neither_stop_nor_hang() {
+        let mut device = canvas(50.0, 50.0);
+        for far in [1e9, 1e40, 1e300, f64::INFINITY, f64::NAN] {
+            let path = points(&[(-far, 25.0), (far, 25.0), (25.0, far), (25.0, 25.0)]);
+            for paint in [BLACK, HALF] {
+                for width in [0.0, 1.0, 5.0, 1e6] {
+                    for antialias in [true, false] {
+                        device.set_antialiasing(antialias);
+                        draw(&mut device, Form::Lines(Paths::new(&path, &[1, 4]), pen(paint, width)), None);
+                    }
+                }
+                draw(
+                    &mut device,
+                    Form::Area(Paths::new(&path, &[4]), Rule::NonZero, Fill::Solid(paint)),
+                    None,
+                );
+                draw(&mut device, Form::Filled(Curve::Bezier(&path), paint), None);
+            }
+        }
+        let mut device = canvas(50.0, 50.0);
+        let path = points(&[(-1e9, 25.5), (1e9, 25.5)]);
+        draw(&mut device, Form::Lines(Paths::new(&path, &[2]), pen(BLACK, 1.0)), None);
+        assert_eq!(greens(&device)[25], [0; 50]);
+    }
+
+    #[test]
+    fn background_comes_from_the_page_or_the_options() {
+        let page = Page { number: 1, background: Colour::rgb(0.0, 1.0, 0.0), colours: vec![] };
+        let first = |options: Options| {
+            let mut device = TrueColour::new(&options, None).unwrap();
+            device.begin(&page).unwrap();
+            device.colour(3, 3).unwrap().to_bytes()
+        };
+        assert_eq!(first(Options::default()), [0, 255, 0, 255]);
+        let blue = Some(Colour::rgb(0.0, 0.0, 1.0));
+        assert_eq!(first(Options { background: blue, ..Options::default() }), [0, 0, 255, 255]);
+        assert_eq!(first(Options { transparent: true, ..Options::default() }), [0; 4]);
+    }
+}
