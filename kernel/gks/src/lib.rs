@@ -4,7 +4,9 @@
 
 mod attributes;
 mod control;
+mod data_record;
 mod error;
+mod gdp;
 pub mod generated;
 mod gks;
 mod normalization;
@@ -15,6 +17,7 @@ mod representation;
 mod test_device;
 mod workstation_transformation;
 
+pub use crate::data_record::{DataRecord, Line};
 pub use crate::error::{Error, Result};
 pub use crate::generated::function::{Function, Level, OperatingState, StateMask};
 pub use crate::gks::{Defaults, Gks, MessageHandler};

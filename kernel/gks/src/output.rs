@@ -119,7 +119,7 @@ impl Gks {
     }
 
     /// Draws the paths in `self.paths`, if there are any.
-    fn output_paths(
+    pub(crate) fn output_paths(
         &mut self,
         function: Function,
         shape: impl for<'s> FnOnce(Paths<'s, Ndc>) -> Shape<'s>,
