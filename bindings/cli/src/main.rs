@@ -1,2 +1,66 @@
-//! (placeholder)
-fn main() {}
+//! The command `gks`.
+
+use clap::{Parser, Subcommand};
+use gks_cli::commands::{Failure, compile, coverage, demo, workstations};
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// GKS and PHIGS: one program, every device.
+#[derive(Parser)]
+#[command(name = "gks", version, about)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Draw the demonstration picture on several devices.
+    Demo {
+        /// The devices, separated by commas: names or numbers of workstation types, or `all`.
+        #[arg(long, default_value = "png,svg,pdf,ps,hpgl")]
+        on: String,
+        /// The folder for the pictures; made if it is not there.
+        #[arg(long, default_value = "out")]
+        out: PathBuf,
+    },
+    /// List the workstation types of this installation.
+    Workstations {
+        /// As JSON.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Show which functions of the standards are there, in each language.
+    Spec {
+        /// As JSON.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Compile and link a C program with the library.
+    Cc {
+        /// Arguments for the C compiler.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<OsString>,
+    },
+    /// Compile and link a Fortran program with the library.
+    Fc {
+        /// Arguments for the Fortran compiler.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<OsString>,
+    },
+}
+
+fn main() -> ExitCode {
+    let result: Result<ExitCode, Failure> = match Arguments::parse().command {
+        Command::Demo { on, out } => demo::run(&on, &out),
+        Command::Workstations { json } => workstations::run(json),
+        Command::Spec { json } => coverage::run(json),
+        Command::Cc { arguments } => compile::run(compile::Language::C, &arguments),
+        Command::Fc { arguments } => compile::run(compile::Language::Fortran, &arguments),
+    };
+    result.unwrap_or_else(|failure| {
+        eprintln!("gks: {failure}");
+        ExitCode::FAILURE
+    })
+}

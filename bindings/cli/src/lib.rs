@@ -1,0 +1,6 @@
+//! The command `gks`: demonstration pictures, the list of workstations, coverage of the standards, and a
+//! compiler driver for C and Fortran programs.
+
+pub mod commands;
+pub mod demo;
+pub mod towers;
