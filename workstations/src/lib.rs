@@ -5,6 +5,10 @@
 //! names.
 
 pub mod catalogue;
+mod connection;
+pub mod dialect;
+mod drivers;
+pub mod environment;
 pub mod hpgl;
 pub mod null;
 pub mod number;

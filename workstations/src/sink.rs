@@ -318,4 +318,4 @@ impl Sink for StdoutSink {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -1,0 +1,160 @@
+//! Workstation type numbers of other implementations of GKS, as their programs have them built in.
+
+use gks_pipeline::description::Category;
+use gks_pipeline::generated::numbers::workstation_type as own;
+
+/// The implementation whose numbers a program uses.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub enum Dialect {
+    /// None: the numbers are our own.
+    #[default]
+    Iso,
+    /// NCAR Graphics.
+    Ncar,
+    /// XGKS.
+    Xgks,
+    /// The GKS of the GR framework.
+    Gr,
+}
+
+/// What a number of a dialect is here.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub(crate) enum Meaning {
+    /// The type that the user chose, else the default: metafiles and windows.
+    Chosen,
+    /// A type of our own, with options.
+    Own(i32, &'static str),
+    /// Nothing yet: segment storage and metafile input.
+    Missing,
+}
+
+/// A range of numbers of a dialect with one meaning.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct Foreign {
+    pub(crate) first: i32,
+    pub(crate) last: i32,
+    /// The category that programs of the dialect expect.
+    pub(crate) category: Category,
+    pub(crate) meaning: Meaning,
+}
+
+const fn foreign(first: i32, last: i32, category: Category, meaning: Meaning) -> Foreign {
+    Foreign { first, last, category, meaning }
+}
+
+const fn output(first: i32, last: i32, number: i32) -> Foreign {
+    foreign(first, last, Category::Output, Meaning::Own(number, ""))
+}
+
+const fn landscape(first: i32, last: i32, number: i32) -> Foreign {
+    foreign(first, last, Category::Output, Meaning::Own(number, "landscape=1"))
+}
+
+/// NCAR Graphics 6: 20 to 31 are PostScript, EPS and EPSI, in colour and monochrome, portrait first.
+const NCAR: &[Foreign] = &[
+    foreign(1, 1, Category::MetafileOutput, Meaning::Chosen),
+    foreign(3, 3, Category::Wiss, Meaning::Missing),
+    foreign(7, 8, Category::OutIn, Meaning::Chosen),
+    foreign(10, 10, Category::Output, Meaning::Chosen),
+    output(11, 11, own::PDF),
+    landscape(12, 12, own::PDF),
+    output(20, 20, own::PS),
+    output(21, 22, own::EPS),
+    output(23, 23, own::PS),
+    output(24, 25, own::EPS),
+    landscape(26, 26, own::PS),
+    landscape(27, 28, own::EPS),
+    landscape(29, 29, own::PS),
+    landscape(30, 31, own::EPS),
+    output(40, 40, own::PS),
+    output(41, 41, own::PNG),
+    output(42, 42, own::PDF),
+];
+
+/// XGKS: windows; its other types have names instead of numbers.
+const XGKS: &[Foreign] = &[foreign(2, 2, Category::OutIn, Meaning::Chosen)];
+
+/// GR 0.73: 2, 7 and 8 are metafiles; 41, 51, 210 to 213 and from 371 on windows and viewers.
+const GR: &[Foreign] = &[
+    foreign(2, 2, Category::MetafileOutput, Meaning::Chosen),
+    foreign(3, 3, Category::MetafileInput, Meaning::Missing),
+    foreign(5, 5, Category::Wiss, Meaning::Missing),
+    foreign(7, 8, Category::MetafileOutput, Meaning::Chosen),
+    foreign(41, 41, Category::OutIn, Meaning::Chosen),
+    foreign(51, 51, Category::OutIn, Meaning::Chosen),
+    output(61, 64, own::PS),
+    output(100, 100, own::NULL),
+    output(101, 102, own::PDF),
+    output(140, 140, own::PNG),
+    foreign(141, 142, Category::Output, Meaning::Chosen),
+    output(143, 143, own::FRAMEBUFFER),
+    output(144, 144, own::JPEG),
+    output(145, 145, own::BMP),
+    output(146, 146, own::TIFF),
+    foreign(210, 210, Category::Output, Meaning::Chosen),
+    foreign(211, 213, Category::OutIn, Meaning::Chosen),
+    output(320, 320, own::BMP),
+    output(321, 321, own::JPEG),
+    output(322, 322, own::PNG),
+    output(323, 323, own::TIFF),
+    foreign(371, 371, Category::Output, Meaning::Chosen),
+    foreign(380, 381, Category::Output, Meaning::Chosen),
+    output(382, 382, own::SVG),
+    foreign(400, 400, Category::Output, Meaning::Chosen),
+    foreign(410, 411, Category::Output, Meaning::Chosen),
+    foreign(415, 415, Category::Output, Meaning::Chosen),
+    foreign(420, 420, Category::Output, Meaning::Chosen),
+];
+
+impl Dialect {
+    /// The dialect with this name, in small or capital letters.
+    pub fn from_name(name: &str) -> Option<Dialect> {
+        match name.to_ascii_lowercase().as_str() {
+            "iso" => Some(Dialect::Iso),
+            "ncar" => Some(Dialect::Ncar),
+            "xgks" => Some(Dialect::Xgks),
+            "gr" => Some(Dialect::Gr),
+            _ => None,
+        }
+    }
+
+    /// The numbers of the dialect.
+    pub(crate) fn table(self) -> &'static [Foreign] {
+        match self {
+            Dialect::Iso => &[],
+            Dialect::Ncar => NCAR,
+            Dialect::Xgks => XGKS,
+            Dialect::Gr => GR,
+        }
+    }
+
+    /// What a number is in the dialect, if it is one of its numbers.
+    pub(crate) fn find(self, number: i32) -> Option<&'static Foreign> {
+        self.table().iter().find(|f| (f.first..=f.last).contains(&number))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_are_in_order_and_do_not_overlap() {
+        for dialect in [Dialect::Ncar, Dialect::Xgks, Dialect::Gr] {
+            let table = dialect.table();
+            assert!(table.iter().all(|f| 0 < f.first && f.first <= f.last), "{dialect:?}");
+            assert!(table.windows(2).all(|w| w[0].last < w[1].first), "{dialect:?}");
+        }
+    }
+
+    #[test]
+    fn ncar_numbers_mean_what_its_programs_expect() {
+        let meaning = |number| Dialect::Ncar.find(number).map(|f| f.meaning);
+        assert_eq!(meaning(1), Some(Meaning::Chosen));
+        assert_eq!(meaning(22), Some(Meaning::Own(own::EPS, "")));
+        assert_eq!(meaning(26), Some(Meaning::Own(own::PS, "landscape=1")));
+        assert_eq!(meaning(100), None);
+        assert_eq!(Dialect::Ncar.find(8).map(|f| f.category), Some(Category::OutIn));
+        assert!(Dialect::Iso.find(1).is_none());
+    }
+}
