@@ -1,7 +1,9 @@
 //! Which driver serves which workstation type.
 
+use crate::null::Null;
 use crate::options::{Options, SizeLimits};
-use crate::{null, svg};
+use crate::raster::{self, Format, TrueColour};
+use crate::svg::{self, Svg};
 use gks_pipeline::description::Description;
 use gks_pipeline::device::{Device, Sink};
 use gks_pipeline::generated::numbers::{WorkstationType, workstation_type as own};
@@ -20,7 +22,9 @@ pub(crate) fn describe(kind: &WorkstationType, options: &Options) -> Result<Desc
     let (number, name) = (kind.number, kind.name);
     match number {
         own::SVG | own::SVG_OUTLINES => Ok(svg::describe(number, name, options)),
-        own::NULL => Ok(null::describe(number, name, options)),
+        own::PNG | own::JPEG | own::TIFF | own::BMP | own::WEBP | own::FRAMEBUFFER | own::NULL => {
+            raster::true_colour(number, name, options).map_err(|error| error.to_string())
+        }
         _ => Err(unavailable(kind)),
     }
 }
@@ -31,9 +35,21 @@ pub(crate) fn open(
     options: &Options,
     sink: Option<Box<dyn Sink>>,
 ) -> Result<Box<dyn Device>, String> {
+    let format = match kind.number {
+        own::PNG => Some(Format::Png),
+        own::JPEG => Some(Format::Jpeg),
+        own::TIFF => Some(Format::Tiff),
+        own::BMP => Some(Format::Bmp),
+        own::WEBP => Some(Format::Webp),
+        _ => None,
+    };
+    if format.is_some() || kind.number == own::FRAMEBUFFER {
+        let device = TrueColour::new(options, sink.zip(format)).map_err(|error| error.to_string())?;
+        return Ok(Box::new(device));
+    }
     match (kind.number, sink) {
-        (own::SVG | own::SVG_OUTLINES, Some(sink)) => Ok(Box::new(svg::Svg::new(sink, options))),
-        (own::NULL, None) => Ok(Box::new(null::Null::new(options))),
+        (own::SVG | own::SVG_OUTLINES, Some(sink)) => Ok(Box::new(Svg::new(sink, options))),
+        (own::NULL, None) => Ok(Box::new(Null::new(options).map_err(|error| error.to_string())?)),
         _ => Err(unavailable(kind)),
     }
 }

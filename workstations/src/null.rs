@@ -1,16 +1,8 @@
 //! The null workstation: accepts everything and draws nothing, to see what drawing costs without a device.
 
 use crate::options::Options;
-use gks_pipeline::description::{
-    Category, Classification, DeferralMode, Description, DynamicModification, DynamicModifications,
-    RegenerationMode,
-};
+use crate::raster::{Layout, SizeError};
 use gks_pipeline::device::{Device, DeviceError, Drawn, Mark, Page, Surface};
-
-/// Width and height of the display surface in pixels unless options say otherwise.
-const SIDE: f64 = 1000.0;
-/// Pixels per inch unless options say otherwise.
-const DPI: f64 = 127.0;
 
 /// A workstation that draws nothing, with the display surface of a raster.
 #[derive(Debug)]
@@ -19,42 +11,10 @@ pub struct Null {
 }
 
 impl Null {
-    /// A workstation with the surface that the options ask for. Of the options it heeds size, resolution and
-    /// landscape.
-    pub fn new(options: &Options) -> Null {
-        Null { surface: surface(options) }
+    /// A workstation with the surface that a raster would have with these options.
+    pub fn new(options: &Options) -> Result<Null, SizeError> {
+        Ok(Null { surface: Layout::new(options)?.surface() })
     }
-}
-
-/// The description of the workstation type with this number and name when it is opened with these options.
-pub fn describe(number: i32, name: &'static str, options: &Options) -> Description {
-    let surface = surface(options);
-    Description {
-        number,
-        name,
-        category: Category::Output,
-        classification: Classification::Raster,
-        raster: (surface.width as u32, surface.height as u32),
-        surface,
-        colours: 0,
-        dynamic: DynamicModifications {
-            line_bundles: DynamicModification::Imm,
-            marker_bundles: DynamicModification::Imm,
-            text_bundles: DynamicModification::Imm,
-            fill_bundles: DynamicModification::Imm,
-            patterns: DynamicModification::Imm,
-            colours: DynamicModification::Imm,
-            transformation: DynamicModification::Irg,
-        },
-        deferral: DeferralMode::Asti,
-        regeneration: RegenerationMode::Suppressed,
-    }
-}
-
-fn surface(options: &Options) -> Surface {
-    let (width, height) = options.size_or((SIDE, SIDE));
-    let unit = 0.0254 / options.dpi.unwrap_or(DPI);
-    Surface { width, height, unit, y_down: true, resolution: 1.0, pen: None }
 }
 
 impl Device for Null {
@@ -76,5 +36,29 @@ impl Device for Null {
 
     fn close(&mut self) -> Result<(), DeviceError> {
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gks_geometry::{Du, PathBuf};
+    use gks_pipeline::colour::{Colour, Paint};
+    use gks_pipeline::device::{Fill, Form, Rule};
+
+    #[test]
+    fn everything_is_accepted() {
+        let mut null = Null::new(&Options { size: Some((30.0, 20.0)), ..Options::default() }).unwrap();
+        assert_eq!((null.surface().width, null.surface().height), (30.0, 20.0));
+        let page = Page { number: 1, background: Colour::WHITE, colours: Vec::new() };
+        null.begin(&page).unwrap();
+        let paths = PathBuf::<Du>::new();
+        let fill = Fill::Solid(Paint { colour: Colour::BLACK, index: 1 });
+        let form = Form::Area(paths.as_paths(), Rule::EvenOdd, fill);
+        let mark = Mark { form, clip: Some(null.surface().extent()) };
+        assert_eq!(null.draw(&mark).unwrap(), Drawn::Yes);
+        null.end().unwrap();
+        null.close().unwrap();
+        assert!(Null::new(&Options { size: Some((0.0, 20.0)), ..Options::default() }).is_err());
     }
 }

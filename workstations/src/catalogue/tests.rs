@@ -167,6 +167,14 @@ fn further_redirected_workstations_get_names_of_their_own() {
     assert_eq!(directory.files().len(), 4);
 }
 
+#[test]
+fn limits_of_formats_are_reported() {
+    let mut drivers = Drivers::new(Environment::default());
+    let said = drivers.open(own::WEBP, "x.webp?size=20000x10").err().unwrap().to_string();
+    assert!(said.starts_with("connection \"x.webp?size=20000x10\": 20000 x 10 pixels: "), "{said}");
+    assert!(!std::path::Path::new("x.webp").exists());
+}
+
 fn draw_nothing(device: &mut dyn Device) {
     let background = gks_pipeline::colour::Colour::WHITE;
     let page = gks_pipeline::device::Page { number: 1, background, colours: Vec::new() };
