@@ -89,7 +89,7 @@ impl Gks {
 
     /// ACTIVATE WORKSTATION: output goes to the workstation from now on.
     ///
-    /// Errors: 6, 20, 25, 29 (already active), 43 (too many).
+    /// Errors: 6, 20, 25, 29 (already active), 33, 35, 43 (too many).
     pub fn activate_workstation(&mut self, id: i32) -> Result<()> {
         const F: Function = Function::ActivateWorkstation;
         self.check_state(F)?;
@@ -98,6 +98,7 @@ impl Gks {
         if open.active {
             return Err(Error::new(29, F).because(format!("workstation identifier {id}")));
         }
+        suits(F, open.workstation.description().category)?;
         if active >= numbers::MAX_ACTIVE_WORKSTATIONS as usize {
             return Err(Error::new(43, F));
         }
@@ -128,27 +129,28 @@ impl Gks {
     /// CLEAR WORKSTATION: starts a new picture. What was drawn is completed; nothing is written for a
     /// picture in which nothing was drawn.
     ///
-    /// `always` has the display surface cleared even if it is empty. Errors: 6, 20, 25, 303.
-    pub fn clear_workstation(&mut self, id: i32, _always: bool) -> Result<()> {
+    /// `always` has a display surface cleared that has been read but not drawn on; no page is written for one
+    /// that has not even been read. Errors: 6, 20, 25, 33, 35, 303.
+    pub fn clear_workstation(&mut self, id: i32, always: bool) -> Result<()> {
         const F: Function = Function::ClearWorkstation;
         self.check_state(F)?;
-        self.workstation_mut(F, id)?.workstation.clear().map_err(|e| device_error(F, &e))
+        self.suitable_workstation(F, id)?.clear(always).map_err(|e| device_error(F, &e))
     }
 
     /// UPDATE WORKSTATION: makes all output visible and, if `perform` is set and a new frame is necessary,
     /// starts the new frame.
     ///
-    /// Errors: 7, 20, 25, 303.
+    /// Errors: 7, 20, 25, 33, 35, 36, 303.
     pub fn update_workstation(&mut self, id: i32, perform: bool) -> Result<()> {
         const F: Function = Function::UpdateWorkstation;
         self.check_state(F)?;
-        self.workstation_mut(F, id)?.workstation.update(perform).map_err(|e| device_error(F, &e))
+        self.suitable_workstation(F, id)?.update(perform).map_err(|e| device_error(F, &e))
     }
 
     /// SET DEFERRAL STATE: how long output may be delayed, and whether changes may redraw the picture
     /// unasked.
     ///
-    /// Errors: 7, 20, 25, 303.
+    /// Errors: 7, 20, 25, 33, 35, 36, 303.
     pub fn set_deferral_state(
         &mut self,
         id: i32,
@@ -157,17 +159,17 @@ impl Gks {
     ) -> Result<()> {
         const F: Function = Function::SetDeferralState;
         self.check_state(F)?;
-        let workstation = &mut self.workstation_mut(F, id)?.workstation;
+        let workstation = self.suitable_workstation(F, id)?;
         workstation.set_deferral(deferral, regeneration).map_err(|e| device_error(F, &e))
     }
 
     /// MESSAGE: passes a text to the user of a workstation, beside the picture.
     ///
-    /// The text goes to the handler of [`Gks::on_message`]. Errors: 7, 20, 25.
+    /// The text goes to the handler of [`Gks::on_message`]. Errors: 7, 20, 25, 36.
     pub fn message(&mut self, id: i32, text: &str) -> Result<()> {
         const F: Function = Function::Message;
         self.check_state(F)?;
-        self.workstation(F, id)?;
+        self.suitable_workstation(F, id)?;
         if let Some(handler) = &mut self.on_message {
             handler(id, text);
         }
@@ -190,29 +192,180 @@ impl Gks {
         self.state
     }
 
-    /// The open workstation with an identifier, to be changed, if it draws or records what is drawn.
+    /// The open workstation with an identifier, to be changed, if the function is one for its category.
     ///
-    /// Errors: 20, 25, 33 (MI), 35 (INPUT), 36 (WISS).
-    pub(crate) fn drawing_workstation(&mut self, function: Function, id: i32) -> Result<&mut Workstation> {
+    /// Errors: 20, 25, and those of 33 (MI), 35 (INPUT) and 36 (WISS) that the standard lists for the function.
+    pub(crate) fn suitable_workstation(&mut self, function: Function, id: i32) -> Result<&mut Workstation> {
         let workstation = &mut self.workstation_mut(function, id)?.workstation;
-        Gks::drawing_category(function, workstation.description().category)?;
+        suits(function, workstation.description().category)?;
         Ok(workstation)
     }
+}
 
-    /// Checks that a workstation draws. Errors: 33 (MI), 35 (INPUT), 36 (WISS).
-    pub(crate) fn drawing_category(function: Function, category: Category) -> Result<()> {
-        match category {
-            Category::MetafileInput => Err(Error::new(33, function)),
-            Category::Input => Err(Error::new(35, function)),
-            Category::Wiss => Err(Error::new(36, function)),
-            Category::Output | Category::OutIn | Category::MetafileOutput => Ok(()),
-        }
-    }
+/// Checks that a function may be used on workstations of a category.
+fn suits(function: Function, category: Category) -> Result<()> {
+    let number = match category {
+        Category::MetafileInput => 33,
+        Category::Input => 35,
+        Category::Wiss => 36,
+        Category::Output | Category::OutIn | Category::MetafileOutput => return Ok(()),
+    };
+    if function.errors().contains(&number) { Err(Error::new(number, function)) } else { Ok(()) }
 }
 
 impl Drop for Gks {
     /// A kernel that is dropped open completes its pictures, as EMERGENCY CLOSE GKS does.
     fn drop(&mut self) {
         self.emergency_close_gks();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_device::{BROKEN, CATEGORIES, Event, INDEXED, PLAIN, active, closed, number, open};
+    use std::sync::{Arc, Mutex};
+
+    const LINE: [(f64, f64); 2] = [(0.0, 0.0), (1.0, 1.0)];
+
+    /// A number for each event: 1 begin, 2 draw, 3 end, 4 close.
+    fn course(events: &[Event]) -> Vec<u32> {
+        let kind = |event: &Event| match event {
+            Event::Begin(_) => 1,
+            Event::Draw(..) => 2,
+            Event::End => 3,
+            Event::Close => 4,
+        };
+        events.iter().map(kind).collect()
+    }
+
+    #[test]
+    fn functions_need_their_operating_states() {
+        let mut gks = closed();
+        assert_eq!(number(gks.close_gks()), 2);
+        assert_eq!(number(gks.open_workstation(0, "", -1)), 8);
+        assert_eq!(number(gks.close_workstation(0)), 7);
+        assert_eq!(number(gks.clear_workstation(0, true)), 6);
+        assert_eq!(number(gks.update_workstation(0, true)), 7);
+        assert_eq!(number(gks.message(0, "")), 7);
+        gks.open_gks().unwrap();
+        assert_eq!(number(gks.open_gks()), 1);
+        assert_eq!(number(gks.activate_workstation(0)), 6);
+        assert_eq!(number(gks.deactivate_workstation(0)), 3);
+        gks.open_workstation(1, "", PLAIN).unwrap();
+        assert_eq!(gks.inquire_operating_state_value(), OperatingState::Wsop);
+        assert_eq!(number(gks.close_gks()), 2);
+        gks.activate_workstation(1).unwrap();
+        assert_eq!(gks.inquire_operating_state_value(), OperatingState::Wsac);
+        assert_eq!(number(gks.close_workstation(1)), 29);
+        gks.deactivate_workstation(1).unwrap();
+        assert_eq!(gks.inquire_operating_state_value(), OperatingState::Wsop);
+        gks.close_workstation(1).unwrap();
+        assert_eq!(gks.inquire_operating_state_value(), OperatingState::Gkop);
+        gks.close_gks().unwrap();
+    }
+
+    #[test]
+    fn a_workstation_that_cannot_be_opened_is_reported() {
+        let (mut gks, _) = open(&[PLAIN]);
+        let refused =
+            |gks: &mut Gks, id, connection, kind| number(gks.open_workstation(id, connection, kind));
+        assert_eq!(refused(&mut gks, 0, "nonsense", -1), 20);
+        assert_eq!(refused(&mut gks, 1, "nonsense", -1), 22);
+        assert_eq!(refused(&mut gks, 1, "nonsense", 31_999), 23);
+        assert_eq!(refused(&mut gks, 1, "nonsense", PLAIN), 24);
+        assert_eq!(refused(&mut gks, 2, "nonsense", PLAIN), 21);
+        assert_eq!(refused(&mut gks, 2, "unwritable", PLAIN), 26);
+        for id in 2..=32 {
+            gks.open_workstation(id, "", PLAIN).unwrap();
+        }
+        assert_eq!(refused(&mut gks, 33, "", PLAIN), 42);
+    }
+
+    #[test]
+    fn identifiers_are_checked() {
+        let (mut gks, _) = active(&[PLAIN]);
+        for (id, error) in [(0, 20), (7, 25)] {
+            assert_eq!(number(gks.close_workstation(id)), error);
+            assert_eq!(number(gks.activate_workstation(id)), error);
+            assert_eq!(number(gks.clear_workstation(id, true)), error);
+            assert_eq!(number(gks.update_workstation(id, true)), error);
+            assert_eq!(number(gks.message(id, "")), error);
+            let deferral = gks.set_deferral_state(id, DeferralMode::Asap, RegenerationMode::Allowed);
+            assert_eq!(number(deferral), error);
+        }
+        assert_eq!(number(gks.activate_workstation(1)), 29);
+        assert_eq!(number(gks.deactivate_workstation(0)), 20);
+        assert_eq!(number(gks.deactivate_workstation(7)), 30);
+    }
+
+    #[test]
+    fn functions_refuse_categories_that_the_standard_names() {
+        let kinds = [Category::MetafileInput, Category::Input, Category::Wiss, Category::MetafileOutput];
+        let (mut gks, _) = open(&kinds.map(|category| CATEGORIES + category as i32));
+        let mut errors = |id| {
+            let number = |result: Result<()>| result.err().map_or(0, |e| e.number);
+            [
+                number(gks.activate_workstation(id)),
+                number(gks.clear_workstation(id, true)),
+                number(gks.update_workstation(id, true)),
+                number(gks.set_deferral_state(id, DeferralMode::Asap, RegenerationMode::Allowed)),
+                number(gks.message(id, "")),
+            ]
+        };
+        assert_eq!(errors(1), [33, 33, 33, 33, 0]);
+        assert_eq!(errors(2), [35, 35, 35, 35, 0]);
+        assert_eq!(errors(3), [0, 0, 36, 36, 36]);
+        assert_eq!(errors(4), [0, 0, 0, 0, 0]);
+    }
+
+    #[test]
+    fn a_page_is_written_for_what_was_drawn_and_one_at_least() {
+        let (mut gks, log) = active(&[PLAIN]);
+        gks.clear_workstation(1, true).unwrap();
+        gks.polyline(&LINE).unwrap();
+        gks.clear_workstation(1, false).unwrap();
+        gks.clear_workstation(1, true).unwrap();
+        assert_eq!(course(&log.take()), [1, 2, 3]);
+        gks.polyline(&LINE).unwrap();
+        gks.emergency_close_gks();
+        assert_eq!(course(&log.take()), [1, 2, 3, 4]);
+        let (mut gks, log) = open(&[PLAIN]);
+        gks.close_workstation(1).unwrap();
+        assert_eq!(course(&log.take()), [1, 3, 4]);
+    }
+
+    #[test]
+    fn an_empty_surface_that_was_read_is_cleared_only_always() {
+        let (mut gks, log) = open(&[INDEXED]);
+        let read = |gks: &mut Gks| {
+            let open = gks.workstations.get_mut(&1).unwrap();
+            assert!(open.workstation.frame_buffer().unwrap().is_some());
+        };
+        read(&mut gks);
+        gks.clear_workstation(1, false).unwrap();
+        assert_eq!(course(&log.take()), [1]);
+        gks.clear_workstation(1, true).unwrap();
+        assert_eq!(course(&log.take()), [3]);
+    }
+
+    #[test]
+    fn a_workstation_whose_device_fails_can_be_closed() {
+        let (mut gks, log) = active(&[BROKEN]);
+        assert_eq!(number(gks.polyline(&LINE)), 303);
+        gks.deactivate_workstation(1).unwrap();
+        gks.close_workstation(1).unwrap();
+        assert_eq!(course(&log.take()), [1, 3, 4]);
+    }
+
+    #[test]
+    fn messages_go_to_the_handler() {
+        let heard = Arc::new(Mutex::new(Vec::new()));
+        let (mut gks, _) = open(&[PLAIN]);
+        gks.message(1, "nobody hears").unwrap();
+        let ear = Arc::clone(&heard);
+        gks.on_message(Box::new(move |id, text| ear.lock().unwrap().push((id, text.to_owned()))));
+        gks.message(1, "hello").unwrap();
+        assert_eq!(*heard.lock().unwrap(), [(1, "hello".to_owned())]);
     }
 }

@@ -3,8 +3,6 @@
 use crate::gks::device_error;
 use crate::{Error, Function, Gks, Result};
 use gks_geometry::{Dc, Ndc, Rect};
-use gks_pipeline::description::Category;
-use gks_pipeline::workstation::Workstation;
 
 /// Limits of a workstation viewport closer than this to an edge of the display surface, in units of its
 /// width or height, are on the edge: callers in single precision cannot name it exactly.
@@ -18,7 +16,7 @@ impl Gks {
     pub fn set_workstation_window(&mut self, id: i32, window: impl Into<Rect<Ndc>>) -> Result<()> {
         const F: Function = Function::SetWorkstationWindow;
         self.check_state(F)?;
-        let workstation = self.transforming_workstation(F, id)?;
+        let workstation = self.suitable_workstation(F, id)?;
         let window: Rect<Ndc> = window.into();
         if !window.is_proper() {
             return Err(Error::new(51, F).because(format!("limits {:?}", window.limits())));
@@ -38,7 +36,7 @@ impl Gks {
     pub fn set_workstation_viewport(&mut self, id: i32, viewport: impl Into<Rect<Dc>>) -> Result<()> {
         const F: Function = Function::SetWorkstationViewport;
         self.check_state(F)?;
-        let workstation = self.transforming_workstation(F, id)?;
+        let workstation = self.suitable_workstation(F, id)?;
         let (width, height) = workstation.description().size();
         let given: Rect<Dc> = viewport.into();
         let [xmin, xmax, ymin, ymax] = given.limits();
@@ -52,17 +50,6 @@ impl Gks {
         }
         workstation.set_viewport(viewport).map_err(|e| device_error(F, &e))
     }
-
-    /// The open workstation with an identifier, if it has a transformation. Errors: 20, 25, 33 (MI), 36
-    /// (WISS).
-    fn transforming_workstation(&mut self, function: Function, id: i32) -> Result<&mut Workstation> {
-        let workstation = &mut self.workstation_mut(function, id)?.workstation;
-        match workstation.description().category {
-            Category::MetafileInput => Err(Error::new(33, function)),
-            Category::Wiss => Err(Error::new(36, function)),
-            _ => Ok(workstation),
-        }
-    }
 }
 
 /// The limit `at`, put on the edge 0 or `size` if it is that close.
@@ -74,7 +61,7 @@ fn on_edge(at: f64, size: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::test_device::{CATEGORIES, Drawing, INDEXED, PLAIN, active, closed, number, open};
-    use gks_pipeline::description::RegenerationMode;
+    use gks_pipeline::description::{Category, RegenerationMode};
     use glam::dvec2;
 
     const DIAGONAL: [(f64, f64); 2] = [(0.0, 0.0), (1.0, 1.0)];

@@ -32,6 +32,7 @@ pub struct Workstation {
     new_frame_necessary: bool,
     pages: u32,
     begun: bool,
+    antialiasing: Option<bool>,
     map: Map<Ndc, Du>,
     painter: Painter,
 }
@@ -55,6 +56,7 @@ impl Workstation {
             new_frame_necessary: false,
             pages: 0,
             begun: false,
+            antialiasing: None,
             map: Map::IDENTITY,
             painter: Painter::default(),
         };
@@ -129,8 +131,11 @@ impl Workstation {
 
     /// Clears the display surface if something is drawn on it, and lets the requested transformation take
     /// effect. What was drawn is complete: a file that holds one page is written.
-    pub fn clear(&mut self) -> Result<(), DeviceError> {
-        let done = self.end_page();
+    ///
+    /// An empty page that was begun to be read is cleared too if `always` is set; one that was not begun is
+    /// clear, and nothing is written for it.
+    pub fn clear(&mut self, always: bool) -> Result<(), DeviceError> {
+        let done = if always || !self.empty { self.end_page() } else { Ok(()) };
         self.empty = true;
         self.new_frame_necessary = false;
         self.adopt_requested();
@@ -139,7 +144,7 @@ impl Workstation {
 
     /// Makes all that was drawn visible; starts a new frame if one is necessary and `perform` is set.
     pub fn update(&mut self, perform: bool) -> Result<(), DeviceError> {
-        if perform && self.new_frame_necessary { self.clear() } else { Ok(()) }
+        if perform && self.new_frame_necessary { self.clear(true) } else { Ok(()) }
     }
 
     /// Sets deferral mode and implicit regeneration mode.
@@ -203,6 +208,22 @@ impl Workstation {
         Ok(())
     }
 
+    /// Turns antialiasing on or off for what is drawn from now on; without effect on a device that has no
+    /// choice.
+    pub fn set_antialiasing(&mut self, on: bool) {
+        self.antialiasing = Some(on);
+        self.apply_antialiasing();
+    }
+
+    fn apply_antialiasing(&mut self) {
+        if let Some(on) = self.antialiasing
+            && self.begun
+            && let Some(buffer) = self.device.frame_buffer()
+        {
+            buffer.set_antialiasing(on);
+        }
+    }
+
     /// The pixels of the display surface, where they can be read back.
     pub fn frame_buffer(&mut self) -> Result<Option<&mut dyn FrameBuffer>, DeviceError> {
         self.begin_page()?;
@@ -236,6 +257,7 @@ impl Workstation {
         self.device.begin(&page)?;
         self.pages += 1;
         self.begun = true;
+        self.apply_antialiasing();
         Ok(())
     }
 
