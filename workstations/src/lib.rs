@@ -4,8 +4,10 @@
 //! Drivers write to a [`gks_pipeline::device::Sink`] that is handed to them; only [`catalogue`] knows file
 //! names.
 
+mod arc;
 pub mod catalogue;
 mod connection;
+mod deflate;
 pub mod dialect;
 mod drivers;
 pub mod environment;
@@ -13,6 +15,7 @@ pub mod hpgl;
 pub mod null;
 pub mod number;
 pub mod options;
+mod paper;
 pub mod pdf;
 pub mod postscript;
 pub mod raster;

@@ -1,1 +1,151 @@
-//! (placeholder)
+//! PDF documents of any number of pages.
+//!
+//! Pages are written as they are drawn: what is kept in memory is a piece of the page description, the offset of
+//! each object in the file, and which characters of which fonts were used. Lines, dashes, areas, curves,
+//! cell arrays and clipping rectangles become what PDF calls so, text stays text in embedded fonts;
+//! markers and patterns are left to the pipeline.
+
+pub(crate) mod content;
+mod document;
+pub(crate) mod image;
+
+use crate::options::Options;
+use crate::paper;
+use content::{Content, Language};
+use document::Document;
+use gks_pipeline::description::Description;
+use gks_pipeline::device::{Device, DeviceError, Drawn, Fill, Form, Mark, Page, Sink, Surface};
+use pdf_writer::{Name, Ref, TextStr};
+
+/// How many bytes of a page description are deflated at a time.
+const PIECE: usize = 1 << 16;
+
+/// A PDF document.
+pub struct Pdf {
+    surface: Surface,
+    options: Options,
+    content: Content,
+    document: Document,
+    catalog: Option<(Ref, Ref)>,
+    pages: Vec<Ref>,
+    images: Vec<Ref>,
+}
+
+/// The description of a PDF workstation.
+pub fn describe(number: i32, name: &'static str, options: &Options) -> Description {
+    paper::description(number, name, options)
+}
+
+impl Pdf {
+    /// A document that goes to `sink`; nothing is written before the first page.
+    pub fn new(sink: Box<dyn Sink>, options: &Options) -> Self {
+        Pdf {
+            surface: paper::surface(options),
+            options: options.clone(),
+            content: Content::new(Language::Pdf, PIECE),
+            document: Document::new(sink),
+            catalog: None,
+            pages: Vec::new(),
+            images: Vec::new(),
+        }
+    }
+}
+
+impl Device for Pdf {
+    fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
+        if self.catalog.is_none() {
+            self.document.open()?;
+            self.catalog = Some((self.document.reserve()?, self.document.reserve()?));
+        }
+        self.content.begin();
+        self.images.clear();
+        if let Some(colour) = paper::background(&self.options, page) {
+            self.content.fill_rectangle(&self.surface.extent(), colour);
+        }
+        Ok(())
+    }
+
+    fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
+        let Pdf { content, document, .. } = self;
+        match &mark.form {
+            Form::Markers(..) | Form::Area(_, _, Fill::Pattern(..)) | Form::Text(..) => return Ok(Drawn::No),
+            _ => content.clip(mark.clip.as_ref()),
+        }
+        match &mark.form {
+            Form::Lines(paths, pen) => content.lines(*paths, pen, document)?,
+            Form::Stroke(curve, pen) => content.stroke(curve, pen, document)?,
+            Form::Filled(curve, paint) => content.filled(curve, paint.colour, document)?,
+            Form::Area(rings, rule, Fill::Solid(paint)) => {
+                content.area(*rings, *rule, paint.colour, document)?;
+            }
+            Form::Cells(place, grid) => image::draw(place, *grid, content, document, &mut self.images)?,
+            Form::Text(..) | Form::Markers(..) | Form::Area(..) => return Ok(Drawn::No),
+        }
+        self.content.relieve(&mut self.document)?;
+        Ok(Drawn::Yes)
+    }
+
+    fn end(&mut self) -> Result<(), DeviceError> {
+        let Some((_, tree)) = self.catalog else { return Ok(()) };
+        self.content.end(&mut self.document)?;
+        let contents = self.document.end_contents()?;
+        let id = self.document.reserve()?;
+        let (width, height) = (self.surface.width as f32, self.surface.height as f32);
+        let (images, opacities) = (&self.images, self.content.opacities());
+        self.document.object(id, |chunk| {
+            let mut page = chunk.page(id);
+            page.parent(tree).media_box(pdf_writer::Rect::new(0.0, 0.0, width, height));
+            match contents[..] {
+                [] => {}
+                [only] => {
+                    page.contents(only);
+                }
+                _ => {
+                    page.contents_array(contents);
+                }
+            }
+            let mut resources = page.resources();
+            if !images.is_empty() {
+                let mut named = resources.x_objects();
+                for image in images {
+                    named.pair(Name(format!("I{}", image.get()).as_bytes()), *image);
+                }
+            }
+            if !opacities.is_empty() {
+                let mut named = resources.ext_g_states();
+                for opacity in opacities {
+                    let share = f32::from(*opacity) / 255.0;
+                    let name = format!("A{opacity}");
+                    let mut state = named.insert(Name(name.as_bytes())).dict();
+                    state.pair(Name(b"CA"), share).pair(Name(b"ca"), share);
+                }
+            }
+        })?;
+        self.pages.push(id);
+        Ok(())
+    }
+
+    fn close(&mut self) -> Result<(), DeviceError> {
+        let Some((catalog, tree)) = self.catalog.take() else { return Ok(()) };
+        let pages = std::mem::take(&mut self.pages);
+        let document = &mut self.document;
+        let count = i32::try_from(pages.len()).unwrap_or(i32::MAX);
+        document.object(tree, |chunk| {
+            chunk.pages(tree).kids(pages).count(count);
+        })?;
+        document.object(catalog, |chunk| {
+            let mut root = chunk.indirect(catalog).start::<pdf_writer::writers::Catalog<'_>>();
+            root.pages(tree);
+        })?;
+        let info = document.reserve()?;
+        document.object(info, |chunk| {
+            let mut entries = chunk.indirect(info).start::<pdf_writer::writers::DocumentInfo<'_>>();
+            entries.producer(TextStr("GKS"));
+        })?;
+        document.finish(catalog, info)
+    }
+}

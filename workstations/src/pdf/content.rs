@@ -1,0 +1,654 @@
+//! Page descriptions: the operators that PDF and PostScript have in common.
+//!
+//! PDF's operators are those of PostScript under short names. The prolog of our PostScript gives them the
+//! same names, so that one writer serves both. What differs is small: in PostScript positions are whole
+//! numbers of hundredths of a point, lines are relative, there is one colour for lines and areas, and no
+//! opacity.
+//!
+//! Graphics state is written when it changes, not when it is used.
+
+use crate::arc;
+use crate::number::Decimal;
+use gks_geometry::{Du, Paths, Rect};
+use gks_pipeline::colour::Colour;
+use gks_pipeline::device::{DeviceError, Pen, Rule};
+use gks_pipeline::item::{Closure, Curve, Parallelogram};
+use gks_pipeline::look::{Cap, Join};
+use glam::DVec2;
+use std::collections::BTreeSet;
+
+/// Positions are counted in hundredths of a point, whatever the language.
+const STEPS: Decimal = Decimal::new(2);
+
+/// Widths and lengths of dashes are counted in thousandths of a point.
+const LENGTHS: Decimal = Decimal::new(3);
+
+/// Colour intensities are counted in thousandths.
+const INTENSITIES: Decimal = Decimal::new(3).bare();
+
+/// The directions of a coordinate system are counted in ten-thousandths of a point, since they are multiplied.
+const DIRECTIONS: Decimal = Decimal::new(4);
+
+/// How far the Bezier curves of an ellipse may lie off, in points.
+const ARC_TOLERANCE: f64 = 0.005;
+
+/// The language of a page description.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Language {
+    /// PDF: points, two colours, opacity.
+    Pdf,
+    /// PostScript under our prolog: hundredths of a point, one colour.
+    PostScript,
+}
+
+/// Where a page description goes when enough of it has been collected.
+pub(crate) trait Drain {
+    /// Takes over `text` and leaves it empty.
+    fn drain(&mut self, text: &mut Vec<u8>) -> Result<(), DeviceError>;
+}
+
+/// What a colour is for.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+enum Use {
+    Lines,
+    Areas,
+}
+
+/// The graphics state as the reader has it; absent where it is not known.
+#[derive(Clone, Debug, PartialEq)]
+struct State {
+    line_colour: Option<[i64; 3]>,
+    area_colour: Option<[i64; 3]>,
+    opacity: u8,
+    width: Option<i64>,
+    cap: Cap,
+    join: Join,
+    dash: Vec<i64>,
+    font: Option<usize>,
+}
+
+impl State {
+    fn new() -> Self {
+        State {
+            line_colour: None,
+            area_colour: None,
+            opacity: 255,
+            width: None,
+            cap: Cap::Butt,
+            join: Join::Miter,
+            dash: Vec::new(),
+            font: None,
+        }
+    }
+}
+
+/// The description of one page while it is being written.
+pub(crate) struct Content {
+    language: Language,
+    /// How positions, lengths and directions are written; their counts do not depend on the language.
+    formats: [Decimal; 3],
+    text: Vec<u8>,
+    limit: usize,
+    state: State,
+    /// The state outside of the clipping rectangle, which comes back with it.
+    outside: State,
+    clip: Option<[i64; 4]>,
+    opacities: BTreeSet<u8>,
+}
+
+impl Content {
+    /// An empty description that is drained whenever it is longer than `limit` bytes.
+    pub(crate) fn new(language: Language, limit: usize) -> Self {
+        let formats = match language {
+            Language::Pdf => [STEPS.bare(), LENGTHS.bare(), DIRECTIONS.bare()],
+            Language::PostScript => [Decimal::new(0), Decimal::new(1), Decimal::new(2)],
+        };
+        Content {
+            language,
+            formats,
+            text: Vec::new(),
+            limit,
+            state: State::new(),
+            outside: State::new(),
+            clip: None,
+            opacities: BTreeSet::new(),
+        }
+    }
+
+    /// Starts a page.
+    pub(crate) fn begin(&mut self) {
+        self.text.clear();
+        self.state = State::new();
+        self.clip = None;
+        self.opacities.clear();
+    }
+
+    /// Leaves the clipping rectangle and hands over what remains of the page.
+    pub(crate) fn end(&mut self, drain: &mut impl Drain) -> Result<(), DeviceError> {
+        self.clip(None);
+        self.flush(drain)
+    }
+
+    /// Hands over what there is.
+    pub(crate) fn flush(&mut self, drain: &mut impl Drain) -> Result<(), DeviceError> {
+        if self.text.is_empty() { Ok(()) } else { drain.drain(&mut self.text) }
+    }
+
+    /// Hands over what there is if it is enough.
+    #[inline]
+    pub(crate) fn relieve(&mut self, drain: &mut impl Drain) -> Result<(), DeviceError> {
+        if self.text.len() < self.limit { Ok(()) } else { drain.drain(&mut self.text) }
+    }
+
+    /// The opacities, of 255, that this page has used beside 255 itself.
+    pub(crate) fn opacities(&self) -> &BTreeSet<u8> {
+        &self.opacities
+    }
+
+    /// The text of the description, to which operators of one language are added.
+    pub(crate) fn text(&mut self) -> &mut Vec<u8> {
+        &mut self.text
+    }
+
+    /// Sets the clipping rectangle.
+    pub(crate) fn clip(&mut self, clip: Option<&Rect<Du>>) {
+        let clip = clip.map(|rect| rect.limits().map(|limit| STEPS.steps(limit)));
+        if clip == self.clip {
+            return;
+        }
+        if self.clip.is_some() {
+            self.text.extend_from_slice(b"Q\n");
+            self.state.clone_from(&self.outside);
+        }
+        if let Some(limits) = clip {
+            self.outside.clone_from(&self.state);
+            self.text.extend_from_slice(b"q\n");
+            self.rectangle(limits);
+            self.text.extend_from_slice(b"W n\n");
+        }
+        self.clip = clip;
+    }
+
+    /// Fills a rectangle.
+    pub(crate) fn fill_rectangle(&mut self, rect: &Rect<Du>, colour: Colour) {
+        self.colour(Use::Areas, colour);
+        self.rectangle(rect.limits().map(|limit| STEPS.steps(limit)));
+        self.text.extend_from_slice(b"f\n");
+    }
+
+    /// Draws lines along paths.
+    pub(crate) fn lines(
+        &mut self,
+        paths: Paths<'_, Du>,
+        pen: &Pen<'_>,
+        drain: &mut impl Drain,
+    ) -> Result<(), DeviceError> {
+        let (mut lines, mut dots) = (false, false);
+        for path in paths.iter().filter(|path| !path.is_empty()) {
+            if is_dot(path) {
+                dots = true;
+                continue;
+            }
+            if !lines {
+                self.pen(pen);
+                lines = true;
+            }
+            self.path(path, drain)?;
+        }
+        if lines {
+            self.text.extend_from_slice(b"S\n");
+        }
+        if dots {
+            self.pen(&Pen { dash: &[], cap: Cap::Round, ..*pen });
+            for path in paths.iter().filter(|path| !path.is_empty() && is_dot(path)) {
+                self.dot(steps(path[0]));
+                self.relieve(drain)?;
+            }
+            self.text.extend_from_slice(b"S\n");
+        }
+        Ok(())
+    }
+
+    /// Fills the area inside of rings with one colour; filling closes them.
+    pub(crate) fn area(
+        &mut self,
+        rings: Paths<'_, Du>,
+        rule: Rule,
+        colour: Colour,
+        drain: &mut impl Drain,
+    ) -> Result<(), DeviceError> {
+        self.colour(Use::Areas, colour);
+        let mut drawn = false;
+        for ring in rings.iter().filter(|ring| !ring.is_empty() && !is_dot(ring)) {
+            self.path(ring, drain)?;
+            drawn = true;
+        }
+        if drawn {
+            self.fill(rule);
+        }
+        Ok(())
+    }
+
+    /// Draws a curve with a pen.
+    pub(crate) fn stroke(
+        &mut self,
+        curve: &Curve<'_, Du>,
+        pen: &Pen<'_>,
+        drain: &mut impl Drain,
+    ) -> Result<(), DeviceError> {
+        self.pen(pen);
+        let drawn = self.curve(curve, drain)?;
+        if drawn {
+            self.text.extend_from_slice(b"S\n");
+        } else if let Some(at) = first(curve) {
+            self.pen(&Pen { dash: &[], cap: Cap::Round, ..*pen });
+            self.dot(steps(at));
+            self.text.extend_from_slice(b"S\n");
+        }
+        Ok(())
+    }
+
+    /// Fills the area that a curve encloses, by the even-odd rule as all areas of the standard.
+    pub(crate) fn filled(
+        &mut self,
+        curve: &Curve<'_, Du>,
+        colour: Colour,
+        drain: &mut impl Drain,
+    ) -> Result<(), DeviceError> {
+        self.colour(Use::Areas, colour);
+        if self.curve(curve, drain)? {
+            self.fill(Rule::EvenOdd);
+        }
+        Ok(())
+    }
+
+    /// Sets the opacity, of 255, for what follows; PostScript has none.
+    pub(crate) fn opacity(&mut self, opacity: u8) {
+        if self.language == Language::Pdf && self.state.opacity != opacity {
+            self.text.extend_from_slice(format!("/A{opacity} gs\n").as_bytes());
+            self.state.opacity = opacity;
+            self.opacities.insert(opacity);
+        }
+    }
+
+    /// Writes the coordinate system in which a parallelogram is the unit square, first row on top; nothing
+    /// where it is flat.
+    pub(crate) fn unit_square(&mut self, place: &Parallelogram<Du>) -> bool {
+        self.system(place.columns.0, -place.rows.0, (place.origin + place.rows).0)
+    }
+
+    /// Writes the six numbers of a coordinate system followed by a blank; nothing where it is flat.
+    pub(crate) fn system(&mut self, x: DVec2, y: DVec2, origin: DVec2) -> bool {
+        let linear = [x.x, x.y, y.x, y.y].map(|component| DIRECTIONS.steps(component));
+        let [a, b, c, d] = linear.map(i128::from);
+        if a * d == b * c {
+            return false;
+        }
+        for component in linear {
+            self.number(2, component);
+        }
+        self.position(steps(origin));
+        true
+    }
+
+    fn pen(&mut self, pen: &Pen<'_>) {
+        self.colour(Use::Lines, pen.paint.colour);
+        let width = LENGTHS.steps(pen.width.max(0.0));
+        if self.state.width != Some(width) {
+            self.number(1, width);
+            self.text.extend_from_slice(b"w\n");
+            self.state.width = Some(width);
+        }
+        if self.state.cap != pen.cap {
+            let code = match pen.cap {
+                Cap::Butt => b"0 J\n",
+                Cap::Round => b"1 J\n",
+                Cap::Projecting => b"2 J\n",
+            };
+            self.text.extend_from_slice(code);
+            self.state.cap = pen.cap;
+        }
+        if self.state.join != pen.join {
+            let code = match pen.join {
+                Join::Miter => b"0 j\n",
+                Join::Round => b"1 j\n",
+                Join::Bevel => b"2 j\n",
+            };
+            self.text.extend_from_slice(code);
+            self.state.join = pen.join;
+        }
+        self.dash(pen.dash);
+    }
+
+    /// Sets the dashes; dashes and gaps without any length would be an error, so they are a solid line.
+    fn dash(&mut self, dash: &[f64]) {
+        let lengths = || dash.iter().map(|length| LENGTHS.steps(length.max(0.0)));
+        let solid = lengths().all(|length| length == 0);
+        let count = if solid { 0 } else { dash.len() };
+        if self.state.dash.len() == count && lengths().zip(&self.state.dash).all(|(new, old)| new == *old) {
+            return;
+        }
+        self.state.dash.clear();
+        self.state.dash.extend(lengths().take(count));
+        self.text.push(b'[');
+        for (i, length) in lengths().take(count).enumerate() {
+            if i > 0 {
+                self.text.push(b' ');
+            }
+            self.formats[1].write_steps(&mut self.text, length);
+        }
+        self.text.extend_from_slice(b"] 0 d\n");
+    }
+
+    fn colour(&mut self, purpose: Use, colour: Colour) {
+        self.opacity(colour.to_bytes()[3]);
+        let intensity = |value: f32| INTENSITIES.steps(f64::from(value.clamp(0.0, 1.0)));
+        let new = [colour.red, colour.green, colour.blue].map(intensity);
+        let lines = purpose == Use::Lines && self.language == Language::Pdf;
+        let known = if lines { &mut self.state.line_colour } else { &mut self.state.area_colour };
+        if known.replace(new) == Some(new) {
+            return;
+        }
+        let grey = new[0] == new[1] && new[1] == new[2];
+        for &component in &new[..if grey { 1 } else { 3 }] {
+            INTENSITIES.write_steps(&mut self.text, component);
+            self.text.push(b' ');
+        }
+        self.text.extend_from_slice(match (grey, lines) {
+            (true, true) => b"G\n",
+            (true, false) => b"g\n",
+            (false, true) => b"RG\n",
+            (false, false) => b"rg\n",
+        });
+    }
+
+    fn fill(&mut self, rule: Rule) {
+        self.text.extend_from_slice(match rule {
+            Rule::NonZero => b"f\n",
+            Rule::EvenOdd => b"f*\n",
+        });
+    }
+
+    fn rectangle(&mut self, [left, right, bottom, top]: [i64; 4]) {
+        self.position([left, bottom]);
+        self.position([right - left, top - bottom]);
+        self.text.extend_from_slice(b"re\n");
+    }
+
+    /// Appends a path that is no dot; points that fall upon their predecessor are left out.
+    fn path(&mut self, path: &[DVec2], drain: &mut impl Drain) -> Result<(), DeviceError> {
+        let mut last = steps(path[0]);
+        self.position(last);
+        self.text.extend_from_slice(b"m\n");
+        for &point in &path[1..] {
+            let next = steps(point);
+            if next == last {
+                continue;
+            }
+            self.line(last, next);
+            last = next;
+            self.relieve(drain)?;
+        }
+        Ok(())
+    }
+
+    fn dot(&mut self, at: [i64; 2]) {
+        self.position(at);
+        self.text.extend_from_slice(b"m\n");
+        self.line(at, at);
+    }
+
+    /// Appends a curve, or nothing where it shrinks to a point; whether there is one.
+    fn curve(&mut self, curve: &Curve<'_, Du>, drain: &mut impl Drain) -> Result<bool, DeviceError> {
+        let Some(start) = first(curve) else { return Ok(false) };
+        match curve {
+            Curve::Bezier(points) => {
+                let pieces = points[1..].chunks_exact(3).map(|p| [p[0], p[1], p[2]]);
+                Ok(self.cubics(start, pieces, drain)?.is_some())
+            }
+            Curve::Ellipse(ellipse) => {
+                let pieces = arc::cubics(ellipse, ARC_TOLERANCE);
+                let Some(end) = self.cubics(start, pieces, drain)? else { return Ok(false) };
+                if ellipse.closure == Closure::Pie {
+                    self.line(end, steps(ellipse.centre.0));
+                }
+                if ellipse.closure != Closure::Open {
+                    self.text.extend_from_slice(b"h\n");
+                }
+                Ok(true)
+            }
+        }
+    }
+
+    /// Appends cubics, or nothing where all of them are points; where they end.
+    fn cubics(
+        &mut self,
+        start: DVec2,
+        pieces: impl Iterator<Item = [DVec2; 3]>,
+        drain: &mut impl Drain,
+    ) -> Result<Option<[i64; 2]>, DeviceError> {
+        let start = steps(start);
+        let mut last = start;
+        let mut drawn = false;
+        for piece in pieces {
+            let [a, b, c] = piece.map(steps);
+            if a == last && b == last && c == last {
+                continue;
+            }
+            if !drawn {
+                self.position(start);
+                self.text.extend_from_slice(b"m\n");
+                drawn = true;
+            }
+            for point in [a, b, c] {
+                self.position(point);
+            }
+            self.text.extend_from_slice(b"c\n");
+            last = c;
+            self.relieve(drain)?;
+        }
+        Ok(drawn.then_some(last))
+    }
+
+    #[inline]
+    fn line(&mut self, from: [i64; 2], to: [i64; 2]) {
+        if self.language == Language::PostScript {
+            self.position([to[0] - from[0], to[1] - from[1]]);
+            self.text.extend_from_slice(b"r\n");
+        } else {
+            self.position(to);
+            self.text.extend_from_slice(b"l\n");
+        }
+    }
+
+    #[inline]
+    fn position(&mut self, [x, y]: [i64; 2]) {
+        self.number(0, x);
+        self.number(0, y);
+    }
+
+    #[inline]
+    fn number(&mut self, format: usize, count: i64) {
+        self.formats[format].write_steps(&mut self.text, count);
+        self.text.push(b' ');
+    }
+}
+
+/// The position in hundredths of a point.
+#[inline]
+fn steps(point: DVec2) -> [i64; 2] {
+    [STEPS.steps(point.x), STEPS.steps(point.y)]
+}
+
+/// Whether all points of a path fall upon one position.
+fn is_dot(path: &[DVec2]) -> bool {
+    let first = steps(path[0]);
+    path[1..].iter().all(|&point| steps(point) == first)
+}
+
+fn first(curve: &Curve<'_, Du>) -> Option<DVec2> {
+    match curve {
+        Curve::Bezier(points) => points.first().copied(),
+        Curve::Ellipse(ellipse) => Some(ellipse.at(ellipse.start).0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gks_geometry::{Point, Vector};
+    use gks_pipeline::colour::Paint;
+    use gks_pipeline::item::Ellipse;
+
+    /// Keeps what is drained, and counts how often.
+    #[derive(Default)]
+    struct Tub(Vec<u8>, usize);
+
+    impl Drain for Tub {
+        fn drain(&mut self, text: &mut Vec<u8>) -> Result<(), DeviceError> {
+            self.0.append(text);
+            self.1 += 1;
+            Ok(())
+        }
+    }
+
+    fn pen<'a>(width: f64, dash: &'a [f64]) -> Pen<'a> {
+        let paint = Paint { colour: Colour::rgb(1.0, 0.0, 0.5), index: 1 };
+        Pen { paint, width, dash, cap: Cap::Butt, join: Join::Miter }
+    }
+
+    fn written(language: Language, draw: impl FnOnce(&mut Content, &mut Tub)) -> String {
+        let (mut content, mut tub) = (Content::new(language, 1 << 16), Tub::default());
+        content.begin();
+        draw(&mut content, &mut tub);
+        content.end(&mut tub).unwrap();
+        String::from_utf8(tub.0).unwrap().replace('\n', ",")
+    }
+
+    const BEND: [DVec2; 4] =
+        [DVec2::new(1.0, 2.0), DVec2::new(1.001, 2.0), DVec2::new(3.5, 2.0), DVec2::new(3.5, -0.25)];
+
+    #[test]
+    fn state_is_written_when_it_changes() {
+        let line = |content: &mut Content, tub: &mut Tub, pen: &Pen<'_>| {
+            content.lines(Paths::new(&BEND, &[4]), pen, tub).unwrap();
+        };
+        let text = written(Language::Pdf, |content, tub| {
+            line(content, tub, &pen(0.5, &[]));
+            line(content, tub, &pen(0.5, &[]));
+            line(content, tub, &Pen { cap: Cap::Round, join: Join::Bevel, ..pen(0.5, &[3.0, 0.25]) });
+            line(content, tub, &pen(0.5, &[0.0, -1.0, 0.0001]));
+        });
+        let path = "1 2 m,3.5 2 l,3.5 -.25 l,S,";
+        let changed = "1 J,2 j,[3 .25] 0 d,";
+        assert_eq!(text, format!("1 0 .5 RG,.5 w,{path}{path}{changed}{path}0 J,0 j,[] 0 d,{path}"));
+    }
+
+    #[test]
+    fn postscript_counts_in_hundredths_with_one_colour() {
+        let text = written(Language::PostScript, |content, tub| {
+            content.lines(Paths::new(&BEND, &[4]), &pen(0.595, &[1.0, 2.0]), tub).unwrap();
+            let colour = Colour { alpha: 0.5, ..Colour::rgb(1.0, 0.0, 0.5) };
+            content.area(Paths::new(&BEND, &[4]), Rule::EvenOdd, colour, tub).unwrap();
+            content.area(Paths::new(&BEND, &[4]), Rule::NonZero, Colour::BLACK, tub).unwrap();
+        });
+        let path = "100 200 m,250 0 r,0 -225 r,";
+        assert_eq!(text, format!("1 0 .5 rg,59.5 w,[100 200] 0 d,{path}S,{path}f*,0 g,{path}f,"));
+    }
+
+    #[test]
+    fn clipping_comes_and_goes_with_its_state() {
+        let rect = Rect::new(0.0, 10.0, 5.0, 7.5);
+        let text = written(Language::Pdf, |content, tub| {
+            let mut line = |content: &mut Content, width| {
+                content.lines(Paths::new(&BEND[2..], &[2]), &pen(width, &[]), tub).unwrap();
+            };
+            line(content, 1.0);
+            content.clip(Some(&rect));
+            line(content, 2.0);
+            content.clip(Some(&rect));
+            line(content, 2.0);
+            content.clip(None);
+            line(content, 1.0);
+            content.clip(Some(&rect));
+        });
+        let path = "3.5 2 m,3.5 -.25 l,S,";
+        let clip = "q,0 5 10 2.5 re,W n,";
+        assert_eq!(text, format!("1 0 .5 RG,1 w,{path}{clip}2 w,{path}{path}Q,{path}{clip}Q,"));
+    }
+
+    #[test]
+    fn paths_that_shrink_to_a_position_are_round_dots() {
+        let points = [DVec2::new(5.0, 5.0), DVec2::new(6.0, 6.0), DVec2::new(6.002, 6.0)];
+        let text = written(Language::Pdf, |content, tub| {
+            content.lines(Paths::new(&points, &[1, 3]), &pen(2.0, &[1.0]), tub).unwrap();
+            content.area(Paths::new(&points, &[1, 3]), Rule::EvenOdd, Colour::BLACK, tub).unwrap();
+        });
+        assert_eq!(text, "1 0 .5 RG,2 w,1 J,5 5 m,5 5 l,6 6 m,6 6 l,S,0 g,");
+    }
+
+    #[test]
+    fn curves_are_cubics_and_pies_pass_through_their_centre() {
+        let (a, b) = (Vector::new(2.0, 0.0), Vector::new(0.0, 1.0));
+        let ellipse = Ellipse {
+            centre: Point::new(10.0, 10.0),
+            a,
+            b,
+            start: 0.0,
+            sweep: std::f64::consts::FRAC_PI_2,
+            closure: Closure::Pie,
+        };
+        let draw = |language| {
+            written(language, |content, tub| {
+                content.filled(&Curve::Ellipse(ellipse), Colour::BLACK, tub).unwrap();
+            })
+        };
+        assert_eq!(draw(Language::Pdf), "0 g,12 10 m,12 10.55 11.1 11 10 11 c,10 10 l,h,f*,");
+        assert_eq!(
+            draw(Language::PostScript),
+            "0 g,1200 1000 m,1200 1055 1110 1100 1000 1100 c,0 -100 r,h,f*,"
+        );
+        let chain = [DVec2::ZERO; 4];
+        let text = written(Language::Pdf, |content, tub| {
+            content.stroke(&Curve::Bezier(&chain), &pen(1.0, &[]), tub).unwrap();
+            content.stroke(&Curve::Bezier(&[]), &pen(1.0, &[]), tub).unwrap();
+        });
+        assert_eq!(text, "1 0 .5 RG,1 w,1 J,0 0 m,0 0 l,S,0 J,");
+    }
+
+    #[test]
+    fn opacity_is_a_named_state_in_pdf() {
+        let (mut content, mut tub) = (Content::new(Language::Pdf, 1 << 16), Tub::default());
+        content.begin();
+        for alpha in [1.0, 0.5, 0.5, 1.0] {
+            let colour = Colour { alpha, ..Colour::BLACK };
+            content.area(Paths::new(&BEND, &[4]), Rule::NonZero, colour, &mut tub).unwrap();
+        }
+        let names: Vec<u8> = content.opacities().iter().copied().collect();
+        assert_eq!(names, [128, 255]);
+        content.end(&mut tub).unwrap();
+        let text = String::from_utf8(tub.0).unwrap();
+        assert_eq!((text.matches("/A128 gs").count(), text.matches("/A255 gs").count()), (1, 1));
+    }
+
+    #[test]
+    fn long_paths_are_drained_on_the_way() {
+        let zigzag: Vec<DVec2> =
+            (0..50_000).map(|i| DVec2::new(f64::from(i % 500), f64::from(i % 7))).collect();
+        let (mut content, mut tub) = (Content::new(Language::Pdf, 1 << 10), Tub::default());
+        content.begin();
+        content.lines(Paths::new(&zigzag, &[50_000]), &pen(1.0, &[]), &mut tub).unwrap();
+        assert!(tub.1 > 200, "drained {} times", tub.1);
+        assert!(content.text.capacity() < 1 << 12, "{} bytes kept", content.text.capacity());
+    }
+
+    #[test]
+    fn flat_coordinate_systems_are_refused() {
+        let mut content = Content::new(Language::Pdf, 1 << 16);
+        assert!(!content.system(DVec2::new(1.0, 2.0), DVec2::new(2.0, 4.0), DVec2::ZERO));
+        assert!(!content.system(DVec2::new(1.0, f64::NAN), DVec2::ZERO, DVec2::ZERO));
+        assert!(content.text.is_empty());
+        assert!(content.system(DVec2::new(12.0, 0.0), DVec2::new(0.0, 12.5), DVec2::new(1.0, f64::INFINITY)));
+        assert_eq!(content.text, b"12 0 0 12.5 1 1000000000 ");
+    }
+}

@@ -1,0 +1,6 @@
+//! Documents of several pages, looked at from outside: by their structure and by other programs.
+
+mod card;
+mod pdf;
+mod programs;
+mod receiver;
