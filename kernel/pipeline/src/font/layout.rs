@@ -3,10 +3,10 @@
 use glam::DVec2;
 
 use super::outline::OutlineFace;
-use super::shape::Shaper;
+use super::shape::{Shaper, is_mark};
 use super::stroke::{StrokeFace, StrokeGlyph, default_face};
 use super::style::{Horizontal, TextPath, TextStyle, Vertical};
-use super::{Face, Metrics, is_invisible, is_mark};
+use super::{Face, Metrics, is_invisible};
 
 /// A glyph of either kind of face.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +75,8 @@ impl Default for Layout {
 ///
 /// Control characters and other invisible ones have no body and leave no gap. Combining marks go with the character
 /// before them. With an outline face, path RIGHT or LEFT and spacing 0, neighbours are kerned; otherwise every
-/// character stands for itself. Characters go in the order of the string, whatever their script.
+/// character stands for itself. Characters follow the path in the order of the string, whatever their script: text
+/// that is written from right to left wants path LEFT.
 pub fn layout(text: &str, style: &TextStyle, out: &mut Layout) {
     out.glyphs.clear();
     out.cells.clear();
@@ -473,5 +474,53 @@ mod tests {
                 assert_eq!(before, (out.glyphs.as_ptr(), out.cells.as_ptr(), out.glyphs.capacity()));
             }
         }
+    }
+
+    #[test]
+    fn text_of_any_script_is_laid_out_in_the_order_of_the_string() {
+        let mut out = Layout::default();
+        let mut text = String::new();
+        let mut codes = (0..0x3_0000_u32).step_by(7);
+        let paths = [TextPath::Right, TextPath::Left, TextPath::Up, TextPath::Down];
+        loop {
+            text.clear();
+            text.extend(codes.by_ref().take(61).filter_map(char::from_u32));
+            if text.is_empty() {
+                break;
+            }
+            for font in [1, -19, -21, -34] {
+                for path in paths {
+                    let style = TextStyle { font, path, ..TextStyle::default() };
+                    layout(&text, &style, &mut out);
+                    let clusters: Vec<u32> = out.glyphs.iter().map(|glyph| glyph.cluster).collect();
+                    assert!(clusters.is_sorted(), "font {font} {path:?} {text:?} {clusters:?}");
+                    for glyph in &out.glyphs {
+                        assert!(text.is_char_boundary(glyph.cluster as usize));
+                        assert!(glyph.origin.is_finite() && glyph.advance.is_finite());
+                    }
+                    assert!(out.extent.iter().all(|corner| corner.is_finite()));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn arabic_is_joined_on_the_path_it_is_written_along() {
+        let style = TextStyle { font: -34, path: TextPath::Left, ..TextStyle::default() };
+        let glyphs = |text| -> Vec<u16> {
+            let numbers = laid(text, style).glyphs.into_iter().map(|placed| match placed.glyph {
+                FaceGlyph::Outline(_, number) => number,
+                FaceGlyph::Stroke(_) => panic!("font -34 is outlines"),
+            });
+            numbers.collect()
+        };
+        // Seen between seen and seen is the medial form, which a lone seen is not.
+        let [alone, joined] = [glyphs("\u{633}"), glyphs("\u{633}\u{633}\u{633}")];
+        assert_eq!(joined.len(), 3);
+        assert!(joined.iter().all(|&form| form != alone[0]));
+        assert!(joined[0] != joined[1] && joined[1] != joined[2] && joined[0] != joined[2]);
+        // A Latin word beside Hebrew does not turn the line around.
+        let out = laid("ab\u{5d3}\u{5da}", TextStyle { font: -21, ..style });
+        assert!(out.glyphs.is_sorted_by(|a, b| a.cluster < b.cluster && a.origin.x > b.origin.x));
     }
 }

@@ -99,7 +99,7 @@ struct Tables {
     /// Advance widths of all glyphs in design units.
     advances: Vec<f32>,
     outlines: Vec<OnceLock<Box<Outline>>>,
-    plans: Mutex<Vec<(Option<Script>, &'static ShapePlan)>>,
+    plans: Mutex<Vec<&'static ShapePlan>>,
 }
 
 /// Number of characters whose glyph numbers are looked up once.
@@ -241,16 +241,18 @@ impl OutlineFace {
         Some(&self.tables()?.font)
     }
 
-    /// The plan for shaping text of a script from left to right, made once.
-    pub(crate) fn plan(&self, script: Option<Script>) -> Option<&'static ShapePlan> {
+    /// The plan for shaping text of a script in a direction, made once.
+    pub(crate) fn plan(&self, script: Option<Script>, direction: Direction) -> Option<&'static ShapePlan> {
         let tables = self.tables()?;
         let mut plans = tables.plans.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(&(_, plan)) = plans.iter().find(|(of, _)| *of == script) {
+        if let Some(&plan) =
+            plans.iter().find(|plan| plan.script() == script && plan.direction() == direction)
+        {
             return Some(plan);
         }
-        let plan = ShapePlan::new(&tables.font, Direction::LeftToRight, script, None, &FEATURES);
+        let plan = ShapePlan::new(&tables.font, direction, script, None, &FEATURES);
         let plan: &'static ShapePlan = Box::leak(Box::new(plan));
-        plans.push((script, plan));
+        plans.push(plan);
         Some(plan)
     }
 
