@@ -7,6 +7,7 @@ use image::codecs::jpeg::{JpegEncoder, PixelDensity, PixelDensityUnit};
 use image::codecs::tiff::TiffEncoder;
 use image::codecs::webp::WebPEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
+use std::borrow::Cow;
 use std::io::Cursor;
 
 /// A format of image files.
@@ -35,18 +36,20 @@ impl Format {
 }
 
 /// The samples of a picture, row by row from the top, without padding.
-pub(super) enum Samples {
+pub(super) enum Samples<'a> {
     /// Red, green and blue.
     Rgb(Vec<u8>),
     /// Red, green, blue and opacity, not premultiplied.
     Rgba(Vec<u8>),
+    /// Indices into a table of red, green, blue and opacity.
+    Palette(&'a [u8], &'a [[u8; 4]]),
 }
 
 /// Writes a picture as one document.
 ///
 /// `quality` is that of JPEG, from 1 to 100.
 pub(super) fn write(
-    samples: Samples,
+    samples: Samples<'_>,
     layout: Layout,
     format: Format,
     quality: u8,
@@ -62,12 +65,21 @@ pub(super) fn write(
     Ok(())
 }
 
-impl Samples {
+impl Samples<'_> {
     /// The same picture as the formats want it that know no palette, and JPEG no opacity.
     fn without_palette(self, format: Format) -> (Vec<u8>, ExtendedColorType) {
         let rgba = match self {
             Samples::Rgb(rgb) => return (rgb, ExtendedColorType::Rgb8),
             Samples::Rgba(rgba) => rgba,
+            Samples::Palette(indices, table) => {
+                let colour = |&i: &u8| table.get(usize::from(i)).copied().unwrap_or([0, 0, 0, 255]);
+                if table.iter().all(|c| c[3] == 255) {
+                    let rgb =
+                        indices.iter().flat_map(|i| <[u8; 3]>::try_from(&colour(i)[..3]).unwrap_or_default());
+                    return (rgb.collect(), ExtendedColorType::Rgb8);
+                }
+                indices.iter().flat_map(colour).collect()
+            }
         };
         if format != Format::Jpeg {
             return (rgba, ExtendedColorType::Rgba8);
@@ -81,7 +93,7 @@ impl Samples {
     }
 }
 
-fn png(samples: &Samples, layout: Layout) -> Result<Vec<u8>, DeviceError> {
+fn png(samples: &Samples<'_>, layout: Layout) -> Result<Vec<u8>, DeviceError> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, layout.width, layout.height);
     encoder.set_depth(png::BitDepth::Eight);
@@ -92,14 +104,23 @@ fn png(samples: &Samples, layout: Layout) -> Result<Vec<u8>, DeviceError> {
         yppu: per_metre,
         unit: png::Unit::Meter,
     }));
-    let data = match samples {
+    let data: Cow<'_, [u8]> = match samples {
         Samples::Rgb(rgb) => {
             encoder.set_color(png::ColorType::Rgb);
-            rgb
+            rgb.into()
         }
         Samples::Rgba(rgba) => {
             encoder.set_color(png::ColorType::Rgba);
-            rgba
+            rgba.into()
+        }
+        Samples::Palette(indices, table) => {
+            encoder.set_color(png::ColorType::Indexed);
+            encoder.set_palette(table.iter().flat_map(|c| [c[0], c[1], c[2]]).collect::<Vec<u8>>());
+            let opaque = table.iter().rposition(|c| c[3] < 255).map_or(0, |last| last + 1);
+            if opaque > 0 {
+                encoder.set_trns(table[..opaque].iter().map(|c| c[3]).collect::<Vec<u8>>());
+            }
+            (*indices).into()
         }
     };
     let failed = |error: png::EncodingError| match error {
@@ -107,7 +128,7 @@ fn png(samples: &Samples, layout: Layout) -> Result<Vec<u8>, DeviceError> {
         other => DeviceError::Encode(other.to_string()),
     };
     let mut writer = encoder.write_header().map_err(failed)?;
-    writer.write_image_data(data).map_err(failed)?;
+    writer.write_image_data(&data).map_err(failed)?;
     writer.finish().map_err(failed)?;
     Ok(bytes)
 }
@@ -207,7 +228,7 @@ pub(super) mod tests {
         (0..16 * 8).flat_map(|i| if i % 16 < 8 { left.to_vec() } else { right.to_vec() }).collect()
     }
 
-    fn written(samples: Samples, format: Format) -> Vec<u8> {
+    fn written(samples: Samples<'_>, format: Format) -> Vec<u8> {
         let mut sink = MemorySink::default();
         write(samples, LAYOUT, format, 95, &mut sink).unwrap();
         let documents = sink.0.lock().unwrap();
@@ -247,6 +268,24 @@ pub(super) mod tests {
             assert!(resembles(&picture, 2, 3, left), "{format:?} {:?}", picture.to_rgba8().get_pixel(2, 3));
             assert!(resembles(&picture, 13, 3, right), "{format:?}");
         }
+    }
+
+    #[test]
+    fn a_palette_is_kept_or_resolved() {
+        let table = [[0, 0, 0, 255], [200, 100, 50, 255], [9, 9, 9, 255]];
+        let indices = halves(&[1], &[0]);
+        for (format, other) in FORMATS {
+            let bytes = written(Samples::Palette(&indices, &table), format);
+            assert!(resembles(&read(&bytes, other), 2, 3, [200, 100, 50, 255]), "{format:?}");
+            if format == Format::Png {
+                let info = png::Decoder::new(Cursor::new(&bytes)).read_info().unwrap().info().clone();
+                assert_eq!(info.color_type, png::ColorType::Indexed);
+                assert_eq!((info.palette.unwrap().len(), info.trns), (9, None));
+            }
+        }
+        let see_through = [[7, 8, 9, 0], [200, 100, 50, 255]];
+        let picture = read(&written(Samples::Palette(&indices, &see_through), Format::Png), ImageFormat::Png);
+        assert!(resembles(&picture, 13, 3, [7, 8, 9, 0]) && resembles(&picture, 2, 3, [200, 100, 50, 255]));
     }
 
     #[test]

@@ -9,10 +9,14 @@ mod composite;
 mod curve;
 mod describe;
 mod encode;
+mod indexed;
+mod look_up_table;
 mod pattern;
 mod stroke;
 mod true_colour;
+mod wide_line;
 
 pub use describe::{Layout, SizeError, indexed, true_colour};
 pub use encode::Format;
+pub use indexed::Indexed;
 pub use true_colour::{SharedPixels, TrueColour};
