@@ -1,5 +1,6 @@
 //! Which driver serves which workstation type.
 
+use crate::hpgl::{self, Hpgl};
 use crate::null::Null;
 use crate::options::{Options, SizeLimits};
 use crate::raster::{self, Format, TrueColour};
@@ -25,6 +26,7 @@ pub(crate) fn describe(kind: &WorkstationType, options: &Options) -> Result<Desc
         own::PNG | own::JPEG | own::TIFF | own::BMP | own::WEBP | own::FRAMEBUFFER | own::NULL => {
             raster::true_colour(number, name, options).map_err(|error| error.to_string())
         }
+        own::HPGL => Ok(hpgl::describe(number, name, options)),
         _ => Err(unavailable(kind)),
     }
 }
@@ -49,6 +51,7 @@ pub(crate) fn open(
     }
     match (kind.number, sink) {
         (own::SVG | own::SVG_OUTLINES, Some(sink)) => Ok(Box::new(Svg::new(sink, options))),
+        (own::HPGL, Some(sink)) => Ok(Box::new(Hpgl::new(sink, options))),
         (own::NULL, None) => Ok(Box::new(Null::new(options).map_err(|error| error.to_string())?)),
         _ => Err(unavailable(kind)),
     }
