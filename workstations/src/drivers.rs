@@ -3,7 +3,8 @@
 use crate::hpgl::{self, Hpgl};
 use crate::null::Null;
 use crate::options::{Options, SizeLimits};
-use crate::raster::{self, Format, TrueColour};
+use crate::pdf::{self, Pdf};
+use crate::raster::{self, Format, Indexed, SizeError, TrueColour};
 use crate::svg::{self, Svg};
 use gks_pipeline::description::Description;
 use gks_pipeline::device::{Device, Sink};
@@ -22,7 +23,11 @@ pub(crate) fn limits(kind: &WorkstationType) -> &'static SizeLimits {
 pub(crate) fn describe(kind: &WorkstationType, options: &Options) -> Result<Description, String> {
     let (number, name) = (kind.number, kind.name);
     match number {
+        own::PNG8 | own::FRAMEBUFFER8 => {
+            raster::indexed(number, name, options).map_err(|error| error.to_string())
+        }
         own::SVG | own::SVG_OUTLINES => Ok(svg::describe(number, name, options)),
+        own::PDF => Ok(pdf::describe(number, name, options)),
         own::PNG | own::JPEG | own::TIFF | own::BMP | own::WEBP | own::FRAMEBUFFER | own::NULL => {
             raster::true_colour(number, name, options).map_err(|error| error.to_string())
         }
@@ -37,24 +42,28 @@ pub(crate) fn open(
     options: &Options,
     sink: Option<Box<dyn Sink>>,
 ) -> Result<Box<dyn Device>, String> {
-    let format = match kind.number {
-        own::PNG => Some(Format::Png),
+    let format = |number| match number {
+        own::PNG | own::PNG8 => Some(Format::Png),
         own::JPEG => Some(Format::Jpeg),
         own::TIFF => Some(Format::Tiff),
         own::BMP => Some(Format::Bmp),
         own::WEBP => Some(Format::Webp),
         _ => None,
     };
-    if format.is_some() || kind.number == own::FRAMEBUFFER {
-        let device = TrueColour::new(options, sink.zip(format)).map_err(|error| error.to_string())?;
-        return Ok(Box::new(device));
-    }
-    match (kind.number, sink) {
-        (own::SVG | own::SVG_OUTLINES, Some(sink)) => Ok(Box::new(Svg::new(sink, options))),
-        (own::HPGL, Some(sink)) => Ok(Box::new(Hpgl::new(sink, options))),
-        (own::NULL, None) => Ok(Box::new(Null::new(options).map_err(|error| error.to_string())?)),
-        _ => Err(unavailable(kind)),
-    }
+    let refused = |error: SizeError| error.to_string();
+    Ok(match (kind.number, sink) {
+        (own::SVG | own::SVG_OUTLINES, Some(sink)) => Box::new(Svg::new(sink, options)),
+        (own::PDF, Some(sink)) => Box::new(Pdf::new(sink, options)),
+        (own::HPGL, Some(sink)) => Box::new(Hpgl::new(sink, options)),
+        (own::NULL, None) => Box::new(Null::new(options).map_err(refused)?),
+        (number @ (own::PNG8 | own::FRAMEBUFFER8), sink) => {
+            Box::new(Indexed::new(options, sink.zip(format(number))).map_err(refused)?)
+        }
+        (number, sink) if number == own::FRAMEBUFFER || format(number).is_some() => {
+            Box::new(TrueColour::new(options, sink.zip(format(number))).map_err(refused)?)
+        }
+        _ => return Err(unavailable(kind)),
+    })
 }
 
 fn unavailable(kind: &WorkstationType) -> String {
