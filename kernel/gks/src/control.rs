@@ -194,7 +194,8 @@ impl Gks {
 
     /// The open workstation with an identifier, to be changed, if the function is one for its category.
     ///
-    /// Errors: 20, 25, and those of 33 (MI), 35 (INPUT) and 36 (WISS) that the standard lists for the function.
+    /// Errors: 20, 25, and those of 33 (MI), 35 (INPUT) and 36 (WISS) that the standard lists for the
+    /// function.
     pub(crate) fn suitable_workstation(&mut self, function: Function, id: i32) -> Result<&mut Workstation> {
         let workstation = &mut self.workstation_mut(function, id)?.workstation;
         suits(function, workstation.description().category)?;

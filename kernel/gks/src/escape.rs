@@ -11,8 +11,8 @@ impl Gks {
     /// ESCAPE: calls the function of this library with an identifier of [`escape`], and gives its output data
     /// record, empty for most.
     ///
-    /// Errors: 8, 180 (no such function), 181 (identifier 0), 182 (data record: the wrong number of values, or
-    /// a value that the function refuses), 303.
+    /// Errors: 8, 180 (no such function), 181 (identifier 0), 182 (data record: the wrong number of values,
+    /// or a value that the function refuses), 303.
     pub fn escape(&mut self, id: i32, record: &DataRecord) -> Result<DataRecord> {
         self.check_state(F)?;
         if id == 0 {
@@ -50,8 +50,8 @@ impl Gks {
         done.map(|()| DataRecord::default()).map_err(of_record)
     }
 
-    /// Turns antialiasing on or off for what is drawn on a workstation from now on; without effect where there
-    /// is no choice.
+    /// Turns antialiasing on or off for what is drawn on a workstation from now on; without effect where
+    /// there is no choice.
     ///
     /// Beyond the standard; ESCAPE offers it to other languages. Errors: 8, 20, 25.
     pub fn set_antialiasing(&mut self, id: i32, on: bool) -> Result<()> {
@@ -60,7 +60,8 @@ impl Gks {
         Ok(())
     }
 
-    /// Whether what is drawn on a workstation is antialiased by this library; `false` where it keeps no pixels.
+    /// Whether what is drawn on a workstation is antialiased by this library; `false` where it keeps no
+    /// pixels.
     ///
     /// Beyond the standard; ESCAPE offers it to other languages. Errors: 8, 20, 25, 303.
     pub fn antialiasing(&mut self, id: i32) -> Result<bool> {

@@ -38,7 +38,8 @@ impl Gks {
 
     /// INTERPRET ITEM: does what an item of a metafile stands for.
     ///
-    /// Errors: 7, 164 (no item type of GKS), 167 (an application's own item, type above 100), 168 (any other).
+    /// Errors: 7, 164 (no item type of GKS), 167 (an application's own item, type above 100), 168 (any
+    /// other).
     pub fn interpret_item(&mut self, kind: i32, _data: &[u8]) -> Result<()> {
         const F: Function = Function::InterpretItem;
         self.check_state(F)?;

@@ -196,8 +196,8 @@ impl Gks {
 
     /// Sets the opacity of a colour index on a workstation, from 0, which leaves what is below, to 1.
     ///
-    /// Beyond the standard; ESCAPE offers it to other languages. Errors: 8, 20, 25, 93 (index), 94 (the index has
-    /// no representation), 96 (not in 0 to 1), 303.
+    /// Beyond the standard; ESCAPE offers it to other languages. Errors: 8, 20, 25, 93 (index), 94 (the index
+    /// has no representation), 96 (not in 0 to 1), 303.
     pub fn set_colour_alpha(&mut self, id: i32, index: i32, alpha: f64) -> Result<()> {
         const F: Function = Function::Escape;
         self.check_state(F)?;
