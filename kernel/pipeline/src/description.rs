@@ -1,6 +1,7 @@
 //! The workstation description table: what a type of workstation is able to do.
 
 use crate::device::{Device, Surface};
+use crate::generated::numbers;
 use crate::look::enumeration;
 
 enumeration! {
@@ -119,6 +120,14 @@ impl Description {
     /// The size of the display surface in metres.
     pub fn size(&self) -> (f64, f64) {
         (self.surface.width * self.surface.unit, self.surface.height * self.surface.unit)
+    }
+
+    /// The number of colour indices, which count from 0.
+    pub fn colour_table_length(&self) -> u32 {
+        match self.colours {
+            0 => numbers::MAX_COLOURS,
+            colours => colours,
+        }
     }
 }
 

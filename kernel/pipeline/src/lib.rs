@@ -14,5 +14,6 @@ pub mod item;
 pub mod look;
 pub mod lower;
 pub mod painter;
+mod realized;
 pub mod tables;
 pub mod workstation;

@@ -70,7 +70,7 @@ impl Colours {
     }
 
     /// All entries by increasing index.
-    pub fn iter(&self) -> impl Iterator<Item = (u32, Colour)> + '_ {
+    pub fn iter(&self) -> impl Iterator<Item = (u32, Colour)> + Clone + '_ {
         let dense = self.dense.iter().enumerate().filter_map(|(i, c)| c.map(|c| (i as u32, c)));
         dense.chain(self.sparse.iter().map(|(&i, &c)| (i, c)))
     }
@@ -95,6 +95,37 @@ fn entry<B: Copy>(table: &BTreeMap<u32, B>, index: u32, otherwise: B) -> B {
     table.get(&index).or_else(|| table.get(&1)).copied().unwrap_or(otherwise)
 }
 
+impl From<&numbers::PolylineBundle> for LineBundle {
+    fn from(b: &numbers::PolylineBundle) -> Self {
+        LineBundle { linetype: b.linetype, width: b.linewidth, colour: b.colour }
+    }
+}
+
+impl From<&numbers::PolymarkerBundle> for MarkerBundle {
+    fn from(b: &numbers::PolymarkerBundle) -> Self {
+        MarkerBundle { kind: b.marker, size: b.size, colour: b.colour }
+    }
+}
+
+impl From<&numbers::TextBundle> for TextBundle {
+    fn from(b: &numbers::TextBundle) -> Self {
+        TextBundle {
+            font: b.font,
+            precision: Precision::from_number(b.precision.into()).unwrap_or(Precision::Stroke),
+            expansion: b.expansion,
+            spacing: b.spacing,
+            colour: b.colour,
+        }
+    }
+}
+
+impl From<&numbers::FillAreaBundle> for FillBundle {
+    fn from(b: &numbers::FillAreaBundle) -> Self {
+        let interior = InteriorStyle::from_number(b.interior.into()).unwrap_or(InteriorStyle::Hollow);
+        FillBundle { interior, style: b.style, colour: b.colour }
+    }
+}
+
 impl Tables {
     /// The tables that OPEN WORKSTATION sets: the predefined bundles, patterns and colours.
     pub fn predefined() -> Self {
@@ -103,28 +134,10 @@ impl Tables {
             colours.set(index as u32, Colour::rgb(red, green, blue));
         }
         Tables {
-            lines: numbered(numbers::POLYLINE_BUNDLES.iter().map(|b| LineBundle {
-                linetype: b.linetype,
-                width: b.linewidth,
-                colour: b.colour,
-            })),
-            markers: numbered(numbers::POLYMARKER_BUNDLES.iter().map(|b| MarkerBundle {
-                kind: b.marker,
-                size: b.size,
-                colour: b.colour,
-            })),
-            texts: numbered(numbers::TEXT_BUNDLES.iter().map(|b| TextBundle {
-                font: b.font,
-                precision: Precision::from_number(b.precision.into()).unwrap_or(Precision::Stroke),
-                expansion: b.expansion,
-                spacing: b.spacing,
-                colour: b.colour,
-            })),
-            fills: numbered(numbers::FILL_AREA_BUNDLES.iter().map(|b| FillBundle {
-                interior: InteriorStyle::from_number(b.interior.into()).unwrap_or(InteriorStyle::Hollow),
-                style: b.style,
-                colour: b.colour,
-            })),
+            lines: numbered(numbers::POLYLINE_BUNDLES.iter().map(LineBundle::from)),
+            markers: numbered(numbers::POLYMARKER_BUNDLES.iter().map(MarkerBundle::from)),
+            texts: numbered(numbers::TEXT_BUNDLES.iter().map(TextBundle::from)),
+            fills: numbered(numbers::FILL_AREA_BUNDLES.iter().map(FillBundle::from)),
             patterns: numbered(numbers::PATTERNS.iter().map(|p| Pattern {
                 columns: p.columns,
                 rows: p.rows,

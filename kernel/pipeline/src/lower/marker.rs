@@ -1,6 +1,6 @@
 //! Markers: their shapes, and lines or areas for devices without markers.
 
-use crate::device::{DeviceError, MarkerStyle, Pen, Rule};
+use crate::device::{DeviceError, MarkerStyle, Pen, Rule, Surface};
 use crate::look::{Cap, Join, Look};
 use crate::painter::{Canvas, Painter};
 use gks_geometry::{Du, PathBuf, Rect};
@@ -10,14 +10,22 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 /// The largest marker size, as a multiple of the nominal one.
 pub const MAX_SIZE: f64 = 200.0;
 
+/// The least and the greatest marker size on a surface, as multiples of the nominal one; a factor beyond is
+/// drawn as the nearer of the two.
+pub fn range(surface: &Surface) -> (f64, f64) {
+    let least = surface.resolution / surface.nominal_marker_size();
+    (least.min(MAX_SIZE), MAX_SIZE)
+}
+
 /// The marker that the polymarker attributes of `look` mean on this workstation.
 pub(crate) fn style(look: &Look, canvas: &Canvas<'_>) -> MarkerStyle {
     let bundle = canvas.tables.marker(look);
-    let factor = if bundle.size.is_finite() { bundle.size.clamp(0.0, MAX_SIZE) } else { 1.0 };
+    let (least, greatest) = range(canvas.surface);
+    let factor = if bundle.size.is_finite() { bundle.size.clamp(least, greatest) } else { 1.0 };
     let width = canvas.surface.nominal_linewidth();
     let size = match bundle.kind {
         1 => width,
-        _ => (factor * canvas.surface.nominal_marker_size()).max(canvas.surface.resolution),
+        _ => factor * canvas.surface.nominal_marker_size(),
     };
     MarkerStyle { kind: bundle.kind, size, width, paint: canvas.tables.paint(bundle.colour) }
 }
