@@ -10,6 +10,7 @@ mod escape;
 mod gdp;
 pub mod generated;
 mod gks;
+mod inquiry;
 mod matrix;
 mod metafile;
 mod normalization;
@@ -24,6 +25,11 @@ pub use crate::data_record::{DataRecord, Line};
 pub use crate::error::{Error, Result};
 pub use crate::generated::function::{Function, Level, OperatingState, StateMask};
 pub use crate::gks::{Defaults, Gks, MessageHandler};
+pub use crate::inquiry::{
+    AttributeGroup, ColourFacilities, DeferralAndUpdateStates, DisplaySpaceSize, FillAreaFacilities,
+    IndividualAttributes, MaximumTableLengths, PolylineFacilities, PolymarkerFacilities, PrimitiveAttributes,
+    SizeRange, TextFacilities, ValueType, WorkstationMaximumNumbers, WorkstationTransformationState,
+};
 pub use crate::matrix::CoordinateSwitch;
 pub use crate::normalization::{NormalizationTransformation, RelativePriority};
 pub use crate::points::Points;

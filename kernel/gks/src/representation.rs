@@ -234,10 +234,7 @@ fn available(
 
 /// Checks a colour index against the length of the colour table of a workstation. Error: 93.
 fn colour_index(function: Function, workstation: &Workstation, value: i32) -> Result<u32> {
-    let length = match workstation.description().colours {
-        0 => numbers::MAX_COLOURS,
-        colours => colours,
-    };
+    let length = workstation.description().colour_table_length();
     u32::try_from(value)
         .ok()
         .filter(|&i| i < length)
