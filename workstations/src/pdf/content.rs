@@ -262,6 +262,16 @@ impl Content {
         Ok(())
     }
 
+    /// Sets the colour of areas and characters.
+    pub(crate) fn area_colour(&mut self, colour: Colour) {
+        self.colour(Use::Areas, colour);
+    }
+
+    /// Makes a font, by its number, the one for characters; whether it was another before.
+    pub(crate) fn changes_font(&mut self, font: usize) -> bool {
+        self.state.font.replace(font) != Some(font)
+    }
+
     /// Sets the opacity, of 255, for what follows; PostScript has none.
     pub(crate) fn opacity(&mut self, opacity: u8) {
         if self.language == Language::Pdf && self.state.opacity != opacity {

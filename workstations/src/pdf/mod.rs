@@ -7,15 +7,20 @@
 
 pub(crate) mod content;
 mod document;
+mod font;
 pub(crate) mod image;
+pub(crate) mod run;
+pub(crate) mod sfnt;
 
 use crate::options::Options;
 use crate::paper;
 use content::{Content, Language};
 use document::Document;
+use font::Fonts;
 use gks_pipeline::description::Description;
 use gks_pipeline::device::{Device, DeviceError, Drawn, Fill, Form, Mark, Page, Sink, Surface};
 use pdf_writer::{Name, Ref, TextStr};
+use std::collections::BTreeSet;
 
 /// How many bytes of a page description are deflated at a time.
 const PIECE: usize = 1 << 16;
@@ -29,6 +34,9 @@ pub struct Pdf {
     catalog: Option<(Ref, Ref)>,
     pages: Vec<Ref>,
     images: Vec<Ref>,
+    fonts: Fonts,
+    /// The fonts of the page, by their position among all.
+    used: BTreeSet<usize>,
 }
 
 /// The description of a PDF workstation.
@@ -47,6 +55,8 @@ impl Pdf {
             catalog: None,
             pages: Vec::new(),
             images: Vec::new(),
+            fonts: Fonts::default(),
+            used: BTreeSet::new(),
         }
     }
 }
@@ -63,6 +73,7 @@ impl Device for Pdf {
         }
         self.content.begin();
         self.images.clear();
+        self.used.clear();
         if let Some(colour) = paper::background(&self.options, page) {
             self.content.fill_rectangle(&self.surface.extent(), colour);
         }
@@ -72,7 +83,8 @@ impl Device for Pdf {
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         let Pdf { content, document, .. } = self;
         match &mark.form {
-            Form::Markers(..) | Form::Area(_, _, Fill::Pattern(..)) | Form::Text(..) => return Ok(Drawn::No),
+            Form::Markers(..) | Form::Area(_, _, Fill::Pattern(..)) => return Ok(Drawn::No),
+            Form::Text(run) if self.options.outlines || run.face.glyphs() == 0 => return Ok(Drawn::No),
             _ => content.clip(mark.clip.as_ref()),
         }
         match &mark.form {
@@ -83,7 +95,10 @@ impl Device for Pdf {
                 content.area(*rings, *rule, paint.colour, document)?;
             }
             Form::Cells(place, grid) => image::draw(place, *grid, content, document, &mut self.images)?,
-            Form::Text(..) | Form::Markers(..) | Form::Area(..) => return Ok(Drawn::No),
+            Form::Text(run) => {
+                self.used.insert(self.fonts.draw(run, content, document)?);
+            }
+            Form::Markers(..) | Form::Area(..) => return Ok(Drawn::No),
         }
         self.content.relieve(&mut self.document)?;
         Ok(Drawn::Yes)
@@ -96,6 +111,8 @@ impl Device for Pdf {
         let id = self.document.reserve()?;
         let (width, height) = (self.surface.width as f32, self.surface.height as f32);
         let (images, opacities) = (&self.images, self.content.opacities());
+        let fonts: Vec<(String, Ref)> =
+            self.used.iter().filter_map(|&index| self.fonts.resource(index)).collect();
         self.document.object(id, |chunk| {
             let mut page = chunk.page(id);
             page.parent(tree).media_box(pdf_writer::Rect::new(0.0, 0.0, width, height));
@@ -113,6 +130,12 @@ impl Device for Pdf {
                 let mut named = resources.x_objects();
                 for image in images {
                     named.pair(Name(format!("I{}", image.get()).as_bytes()), *image);
+                }
+            }
+            if !fonts.is_empty() {
+                let mut named = resources.fonts();
+                for (name, id) in &fonts {
+                    named.pair(Name(name.as_bytes()), *id);
                 }
             }
             if !opacities.is_empty() {
@@ -133,6 +156,7 @@ impl Device for Pdf {
         let Some((catalog, tree)) = self.catalog.take() else { return Ok(()) };
         let pages = std::mem::take(&mut self.pages);
         let document = &mut self.document;
+        self.fonts.write(document)?;
         let count = i32::try_from(pages.len()).unwrap_or(i32::MAX);
         document.object(tree, |chunk| {
             chunk.pages(tree).kids(pages).count(count);

@@ -3,6 +3,7 @@
 use gks_geometry::{Du, Paths, Point, Rect, Vector};
 use gks_pipeline::colour::{Colour, Paint};
 use gks_pipeline::device::*;
+use gks_pipeline::font::{Face, OutlineFace, face};
 use gks_pipeline::item::{Closure, Curve, Ellipse, Parallelogram};
 use gks_pipeline::look::{Cap, Join};
 use glam::DVec2;
@@ -134,6 +135,50 @@ pub(crate) fn card(device: &mut dyn Device) {
     cells(device);
 }
 
+/// An outline face by its font number.
+pub(crate) fn outline_face(number: i32) -> &'static OutlineFace {
+    let Some(Face::Outline(face)) = face(number) else { panic!("font {number} is an outline face") };
+    face
+}
+
+/// Draws text from left to right; `spacing` is added to each advance, in em.
+pub(crate) fn text(
+    device: &mut dyn Device,
+    face: &'static OutlineFace,
+    text: &str,
+    at: (f64, f64),
+    [x, y]: [(f64, f64); 2],
+    spacing: f64,
+) {
+    let (x, y): (Vector<Du>, Vector<Du>) = (x.into(), y.into());
+    let mut origin: Point<Du> = at.into();
+    let mut glyphs = Vec::new();
+    for (cluster, character) in text.char_indices() {
+        let id = face.glyph_id(character).unwrap_or(0);
+        glyphs.push(Glyph { id, cluster: cluster as u32, origin });
+        origin = origin + x * (face.advance(id) + spacing);
+    }
+    draw(device, Form::Text(GlyphRun { text, face, glyphs: &glyphs, x, y, paint: paint(0.1, 0.1, 0.4) }));
+}
+
+/// Draws text: upright, leaning, stretched, spaced, in several fonts, and cut by a clipping rectangle.
+pub(crate) fn texts(device: &mut dyn Device) {
+    let upright = |size: f64| [(size, 0.0), (0.0, size)];
+    let (sans, serif, mono) = (outline_face(-21), outline_face(-26), outline_face(-29));
+    text(device, sans, "Grüße, Ångström! (100 % \\ fine)", (40.0, 220.0), upright(20.0), 0.0);
+    text(device, serif, "Bold serif & stretched", (40.0, 190.0), [(24.0, 0.0), (0.0, 12.0)], 0.0);
+    text(device, mono, "Letters apart", (40.0, 160.0), upright(12.0), 0.25);
+    text(device, sans, "Leaning upwards", (420.0, 60.0), [(14.0, 10.0), (-4.0, 16.0)], 0.0);
+    text(device, sans, "Πυθαγόρας", (40.0, 130.0), upright(16.0), 0.0);
+    let window = Rect::new(40.0, 120.0, 95.0, 115.0);
+    let id = sans.glyph_id('M').unwrap();
+    let origin = Point::new(110.0, 95.0);
+    let (x, y) = (Vector::new(40.0, 0.0), Vector::new(0.0, 40.0));
+    let glyphs = [Glyph { id, cluster: 0, origin }];
+    let run = GlyphRun { text: "M", face: sans, glyphs: &glyphs, x, y, paint: paint(1.0, 0.0, 0.0) };
+    clipped(device, Form::Text(run), Some(window));
+}
+
 /// Draws cell arrays: few cells, many cells of few colours, many cells of many colours, upside down and leaning.
 fn cells(device: &mut dyn Device) {
     let six = [
@@ -229,5 +274,37 @@ pub(crate) fn probe(picture: &Picture) {
     ];
     for (what, x, y, colour) in cases {
         assert!(near(pixel(picture, x, y), colour), "{what} at {x}, {y}: {:?}", pixel(picture, x, y));
+    }
+}
+
+/// The lines of text on the card that other programs should find.
+pub(crate) const LINES: [&str; 5] = [
+    "Grüße, Ångström! (100 % \\ fine)",
+    "Bold serif & stretched",
+    "Letters apart",
+    "Leaning upwards",
+    "Πυθαγόρας",
+];
+
+/// Looks at places where the text must have left ink, and at some where it must not.
+pub(crate) fn probe_text(picture: &Picture) {
+    let ink = |left: usize, right: usize, bottom: usize, top: usize| {
+        let places = (bottom..top).flat_map(|y| (left..right).map(move |x| (x, y)));
+        places.filter(|&(x, y)| pixel(picture, x, y).iter().any(|part| *part < 200)).count()
+    };
+    let cases = [
+        ("upright text", [40, 310, 220, 240], 700..3000),
+        ("above it", [40, 310, 242, 260], 0..1),
+        ("stretched text", [40, 330, 190, 200], 500..3000),
+        ("text apart", [40, 170, 158, 172], 100..1500),
+        ("leaning text", [425, 540, 60, 160], 250..4000),
+        ("Greek text", [40, 130, 128, 145], 150..1500),
+        ("inside of the clipping rectangle", [110, 120, 96, 115], 20..150),
+        ("outside of the clipping rectangle", [121, 160, 90, 125], 0..1),
+        ("above the clipping rectangle", [105, 160, 116, 127], 0..1),
+    ];
+    for (what, [left, right, bottom, top], expected) in cases {
+        let count = ink(left, right, bottom, top);
+        assert!(expected.contains(&count), "{what}: {count} dark pixels");
     }
 }

@@ -1,7 +1,7 @@
 //! PDF documents.
 
 use crate::card::{self, card, draw, lines, near, page, paint, pen, pixel, place, translucent};
-use crate::programs::{directory, ghostscript, poppler, run};
+use crate::programs::{TXTWRITE, directory, ghostscript, poppler, run};
 use crate::receiver::Receiver;
 use gks_geometry::Paths;
 use gks_pipeline::colour::Colour;
@@ -85,6 +85,37 @@ fn pages_of_one_document() {
         assert!(has(&["Producer:", "GKS"]), "{text}");
         assert!(has(&["Page", "size:", "841.89", "x", "595.28", "pts", "(A4)"]), "{text}");
     }
+}
+
+#[test]
+fn text_is_text() {
+    let document = document(&Options::default(), 2, |_, pdf| card::texts(pdf));
+    check_table(&document);
+    let path = saved("text.pdf", &document);
+    check(&path);
+    let path_text = path.to_str().unwrap();
+    let readers = [("pdftotext", vec!["-raw", path_text, "-"]), ("gs", [&TXTWRITE[..], &[path_text]].concat())];
+    for (program, arguments) in readers {
+        if let Some(text) = run(program, &arguments) {
+            // How readers guess blanks from gaps is their own affair.
+            let squeezed = |text: &str| text.split_whitespace().collect::<String>();
+            for line in card::LINES {
+                assert_eq!(squeezed(&text).matches(&squeezed(line)).count(), 2, "{program}, {line}: {text}");
+            }
+        }
+    }
+    if let Some(text) = run("pdffonts", &[path.to_str().unwrap()]) {
+        let fonts: Vec<&str> = text.lines().filter(|line| line.contains("CID TrueType")).collect();
+        assert_eq!(fonts.len(), 3, "{text}");
+        assert!(
+            fonts.iter().all(|font| font.contains("yes yes yes")),
+            "not embedded or without Unicode: {text}"
+        );
+    }
+    for picture in [poppler(&path), ghostscript(&path)].into_iter().flatten() {
+        card::probe_text(&picture);
+    }
+    assert!(document.len() < 60_000, "{} bytes", document.len());
 }
 
 #[test]

@@ -4,6 +4,9 @@ use crate::card::Picture;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+/// The arguments that let Ghostscript print the text of a document.
+pub(crate) const TXTWRITE: [&str; 6] = ["-q", "-dNOPAUSE", "-dBATCH", "-dSAFER", "-sDEVICE=txtwrite", "-o-"];
+
 /// A directory for the files of one test.
 pub(crate) fn directory(test: &str) -> PathBuf {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
