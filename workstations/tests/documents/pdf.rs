@@ -94,7 +94,8 @@ fn text_is_text() {
     let path = saved("text.pdf", &document);
     check(&path);
     let path_text = path.to_str().unwrap();
-    let readers = [("pdftotext", vec!["-raw", path_text, "-"]), ("gs", [&TXTWRITE[..], &[path_text]].concat())];
+    let readers =
+        [("pdftotext", vec!["-raw", path_text, "-"]), ("gs", [&TXTWRITE[..], &[path_text]].concat())];
     for (program, arguments) in readers {
         if let Some(text) = run(program, &arguments) {
             // How readers guess blanks from gaps is their own affair.
