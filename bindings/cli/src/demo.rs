@@ -103,9 +103,8 @@ fn reset(gks: &mut Gks) -> Result<()> {
 }
 
 fn palette(gks: &mut Gks, id: i32) -> Result<()> {
-    let mut set = |index: i32, r: f32, g: f32, b: f32| {
-        gks.set_colour_representation(id, index, Colour::rgb(r, g, b))
-    };
+    let mut set =
+        |index: i32, r: f32, g: f32, b: f32| gks.set_colour_representation(id, index, Colour::rgb(r, g, b));
     set(ink::PAPER, 1.0, 1.0, 1.0)?;
     set(ink::TEXT, 0.13, 0.15, 0.18)?;
     set(ink::BLUE, 0.12, 0.40, 0.70)?;

@@ -106,8 +106,10 @@ fn grid(phigs: &mut Phigs) -> Result<()> {
 
 /// A tower in the middle and seven around it, from the back to the front.
 fn scene(phigs: &mut Phigs) -> Result<()> {
-    let mut places: Vec<(f64, f64, f64)> =
-        (0..7).map(|i| TAU * (f64::from(i) + 0.25) / 7.0).map(|t| (4.2 * t.cos(), 4.2 * t.sin(), 0.55)).collect();
+    let mut places: Vec<(f64, f64, f64)> = (0..7)
+        .map(|i| TAU * (f64::from(i) + 0.25) / 7.0)
+        .map(|t| (4.2 * t.cos(), 4.2 * t.sin(), 0.55))
+        .collect();
     places.push((0.0, 0.0, 1.0));
     places.sort_by(|a, b| (b.1 * 14.0 - b.0 * 9.0).total_cmp(&(a.1 * 14.0 - a.0 * 9.0)));
     phigs.open_structure(SCENE)?;

@@ -187,7 +187,7 @@ impl Phigs {
         if open.correct {
             return Ok(());
         }
-        open.workstation.clear().map_err(|e| failed(F, &e))?;
+        open.workstation.clear(false).map_err(|e| failed(F, &e))?;
         for &(root, _) in &open.posted {
             traverse(store, root, &open.views, &mut open.workstation).map_err(|e| failed(F, &e))?;
         }

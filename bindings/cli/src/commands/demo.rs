@@ -4,6 +4,7 @@ use super::Failure;
 use crate::{demo, towers};
 use gks::Gks;
 use gks_pipeline::description::{Catalogue, Category};
+use gks_pipeline::generated::numbers::WORKSTATION_TYPES;
 use gks_workstations::catalogue::Drivers;
 use phigs::Phigs;
 use std::fs;
@@ -19,7 +20,9 @@ pub fn run(on: &str, folder: &Path) -> Result<ExitCode, Failure> {
         let file = folder.join(format!("demo{}.{extension}", variant(name, extension)));
         show(name, &file, || gks_picture(kind, &file))?;
     }
-    for (kind, name, extension) in devices(on)?.into_iter().filter(|(_, name, _)| ["png", "svg", "hpgl"].contains(name)) {
+    for (kind, name, extension) in
+        devices(on)?.into_iter().filter(|(_, name, _)| ["png", "svg", "hpgl"].contains(name))
+    {
         let file = folder.join(format!("phigs.{extension}"));
         show(name, &file, || phigs_picture(kind, &file))?;
     }
@@ -28,7 +31,11 @@ pub fn run(on: &str, folder: &Path) -> Result<ExitCode, Failure> {
 
 /// What tells apart the files of devices that share an extension.
 fn variant(name: &str, extension: &str) -> String {
-    if name == extension || name == "hpgl" || name == "jpeg" || name == "tiff" { String::new() } else { format!("-{name}") }
+    if name == extension || name == "hpgl" || name == "jpeg" || name == "tiff" {
+        String::new()
+    } else {
+        format!("-{name}")
+    }
 }
 
 /// The workstation types with their names and extensions.
@@ -39,15 +46,20 @@ fn devices(on: &str) -> Result<Vec<(i32, &'static str, &'static str)>, Failure> 
         all
     } else {
         on.split(',')
-            .map(|word| drivers.choose(word.trim()).ok_or_else(|| format!("no workstation type {word}")))
+            .map(|word| Drivers::choose(word).ok_or_else(|| format!("no workstation type {word}")))
             .collect::<Result<_, _>>()?
     };
     let described = chosen.into_iter().filter_map(|t| drivers.describe(t));
     Ok(described
         .filter(|d| d.category == Category::Output)
-        .map(|d| (d.number, d.name, gks_pipeline::generated::numbers::extension(d.number)))
+        .map(|d| (d.number, d.name, extension(d.number)))
         .filter(|(_, _, extension)| !extension.is_empty())
         .collect())
+}
+
+/// The extension of the files of a workstation type; empty if it writes none.
+fn extension(number: i32) -> &'static str {
+    WORKSTATION_TYPES.iter().find(|t| t.number == number).map_or("", |t| t.extension)
 }
 
 fn show(name: &str, file: &Path, picture: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {

@@ -50,16 +50,23 @@ impl From<Description> for Row {
 /// Prints the table.
 pub fn run(json: bool) -> Result<ExitCode, Failure> {
     let drivers = Drivers::from_process();
-    let rows: Vec<Row> = drivers.types().into_iter().filter_map(|t| drivers.describe(t)).map(Row::from).collect();
+    let rows: Vec<Row> =
+        drivers.types().into_iter().filter_map(|t| drivers.describe(t)).map(Row::from).collect();
     if json {
         println!("{}", serde_json::to_string_pretty(&rows)?);
     } else {
-        println!("{:>5}  {:<14} {:<8} {:>17}  {:>15}  {:>7}", "type", "name", "category", "metres", "units", "colours");
+        println!(
+            "{:>5}  {:<14} {:<8} {:>17}  {:>15}  {:>7}",
+            "type", "name", "category", "metres", "units", "colours"
+        );
         for r in rows {
             let metres = format!("{:.3} x {:.3}", r.width, r.height);
             let units = format!("{} x {}", r.columns, r.rows);
             let colours = if r.colours == 0 { "any".to_owned() } else { r.colours.to_string() };
-            println!("{:>5}  {:<14} {:<8} {metres:>17}  {units:>15}  {colours:>7}", r.r#type, r.name, r.category);
+            println!(
+                "{:>5}  {:<14} {:<8} {metres:>17}  {units:>15}  {colours:>7}",
+                r.r#type, r.name, r.category
+            );
         }
     }
     Ok(ExitCode::SUCCESS)
