@@ -133,7 +133,9 @@ fn write(gks: &mut Gks, at: (f64, f64), height: f64, font: i32, colour: i32, tex
 
 fn heading(gks: &mut Gks) -> Result<()> {
     write(gks, (0.027, 0.948), 0.024, SANS_BOLD, ink::TEXT, "Graphical Kernel System")?;
-    write(gks, (0.410, 0.948), 0.015, SANS_ITALIC, ink::GREY, "one program, every device")?;
+    gks.set_text_alignment(Horizontal::Right, Vertical::Base)?;
+    write(gks, (0.973, 0.948), 0.015, SANS_ITALIC, ink::GREY, "one program, every device")?;
+    gks.set_text_alignment(Horizontal::Normal, Vertical::Normal)?;
     gks.set_polyline_colour_index(ink::BLUE)?;
     gks.set_linewidth_scale_factor(2.0)?;
     gks.polyline(&[(0.027, 0.933), (0.973, 0.933)])?;
@@ -264,7 +266,7 @@ fn text(gks: &mut Gks) -> Result<()> {
     for (path, at, text) in [
         (TextPath::Down, (5.6, 7.3), "DOWN"),
         (TextPath::Up, (6.4, 4.5), "UP"),
-        (TextPath::Left, (11.5, 6.9), "TFEL"),
+        (TextPath::Left, (11.5, 7.0), "TFEL"),
     ] {
         gks.set_text_path(path)?;
         write(gks, at, 0.45, SANS_BOLD, ink::PURPLE, text)?;
@@ -274,7 +276,7 @@ fn text(gks: &mut Gks) -> Result<()> {
     for i in 0..9 {
         let t = PI * (f64::from(i) / 8.0 - 0.5);
         gks.set_character_up_vector((-t.sin(), t.cos()))?;
-        write(gks, (8.4 + 0.7 * t.cos(), 4.0 + 0.7 * t.sin()), 0.34, SANS, ink::TEXT, "rotated")?;
+        write(gks, (8.2 + 1.0 * t.cos(), 3.6 + 1.0 * t.sin()), 0.32, SANS, ink::TEXT, "rotated")?;
     }
     gks.set_character_up_vector((0.0, 1.0))?;
     gks.set_marker_type(2)?;
@@ -302,7 +304,7 @@ fn fonts(gks: &mut Gks) -> Result<()> {
         (-8, "Ellhnika"),
     ];
     for (i, (font, text)) in strokes.into_iter().enumerate() {
-        write(gks, (0.4, 7.15 - i as f64 * 0.93), 0.5, font, ink::BLUE, text)?;
+        write(gks, (0.4, 7.2 - i as f64 * 0.93), 0.43, font, ink::BLUE, text)?;
     }
     let outlines = [
         (-21, "Sans Åé ß"),
@@ -315,7 +317,7 @@ fn fonts(gks: &mut Gks) -> Result<()> {
         (-26, "Serif Bold Жд"),
     ];
     for (i, (font, text)) in outlines.into_iter().enumerate() {
-        write(gks, (6.5, 7.15 - i as f64 * 0.93), 0.5, font, ink::TEXT, text)?;
+        write(gks, (6.9, 7.2 - i as f64 * 0.93), 0.43, font, ink::TEXT, text)?;
     }
     Ok(())
 }
@@ -353,7 +355,7 @@ fn circles(gks: &mut Gks) -> Result<()> {
 }
 
 fn curves(gks: &mut Gks) -> Result<()> {
-    let control = [(0.8, 4.6), (2.0, 8.6), (4.6, 1.4), (5.6, 6.6)];
+    let control = [(0.7, 4.9), (1.6, 7.6), (4.4, 3.9), (5.5, 7.3)];
     gks.set_linetype(3)?;
     gks.set_polyline_colour_index(ink::GREY)?;
     gks.polyline(&control)?;
@@ -371,8 +373,8 @@ fn curves(gks: &mut Gks) -> Result<()> {
     let ring: Vec<(f64, f64)> = (0..10)
         .map(|i| {
             let t = TAU * f64::from(i) / 10.0;
-            let r = if i % 2 == 0 { 1.6 } else { 0.8 };
-            (6.0 + 2.8 * r * t.cos(), 2.1 + r * t.sin())
+            let r = if i % 2 == 0 { 1.5 } else { 1.0 };
+            (6.0 + 3.0 * r * t.cos(), 2.1 + r * t.sin())
         })
         .collect();
     gks.set_fill_area_interior_style(InteriorStyle::Solid)?;
@@ -398,7 +400,7 @@ fn clipping(gks: &mut Gks) -> Result<()> {
         gks.polyline(&ring)?;
     }
     gks.set_text_alignment(Horizontal::Centre, Vertical::Half)?;
-    write(gks, (0.0, 0.0), 0.42, SANS_BOLD, ink::PAPER, "CLIPPED AWAY")
+    write(gks, (0.0, 0.0), 0.30, SANS_BOLD, ink::TEXT, "CLIPPED TEXT")
 }
 
 fn plot(gks: &mut Gks) -> Result<()> {
@@ -443,18 +445,19 @@ fn transformations(gks: &mut Gks) -> Result<()> {
         let number = 20 + i as i32;
         let (x, y) = (panel.x + x * panel.w, panel.y + y * panel.h);
         gks.set_viewport(number, gks_geometry::Rect::new(x, x + w * panel.w, y, y + h * panel.h))?;
-        let zoom = if i == 3 { 0.42 } else { 1.0 };
-        gks.set_window(number, gks_geometry::Rect::new(0.0, zoom, 0.0, zoom))?;
+        // The last one shows a part of the house, enlarged.
+        let (low, high) = if i == 3 { (0.25, 0.75) } else { (0.0, 1.0) };
+        gks.set_window(number, gks_geometry::Rect::new(low, high, low, high))?;
         gks.select_normalization_transformation(number)?;
         gks.set_fill_area_interior_style(InteriorStyle::Solid)?;
         gks.set_fill_area_colour_index(ink::PALE)?;
-        gks.fill_area(&[(0.0, 0.0), (zoom, 0.0), (zoom, zoom), (0.0, zoom)])?;
+        gks.fill_area(&[(low, low), (high, low), (high, high), (low, high)])?;
         gks.set_fill_area_colour_index(colour)?;
         gks.fill_area(&house)?;
         gks.set_fill_area_colour_index(ink::PAPER)?;
         gks.circle((0.5, 0.55), (0.6, 0.55))?;
         gks.set_text_alignment(Horizontal::Centre, Vertical::Base)?;
-        write(gks, (0.5, 0.18), 0.14, SANS_BOLD, ink::PAPER, "GKS")?;
+        write(gks, (0.5, 0.29), 0.12, SANS_BOLD, ink::PAPER, "GKS")?;
     }
     Ok(())
 }

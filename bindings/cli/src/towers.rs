@@ -39,7 +39,7 @@ pub fn draw(phigs: &mut Phigs, id: i32) -> Result<()> {
     let orientation =
         view_orientation_matrix3(eye, Vector3::new(9.0, -14.0, 9.0), Vector3::new(0.0, 0.0, 1.0))?;
     let mapping = view_mapping_matrix3(&ViewMapping {
-        window: Rect::new(-4.6, 4.6, -4.6, 4.6),
+        window: Rect::new(-4.2, 4.2, -4.6, 3.8),
         viewport: Rect::UNIT,
         viewport_depth: (0.0, 1.0),
         projection: Projection::Perspective,
