@@ -1,9 +1,9 @@
 //! Curves: circles, ellipses and their parts, and Bezier curves.
 
-use super::COORDINATE;
 use super::document::{Document, attribute, open_attribute, paint};
 use super::line::stroke;
-use super::path::{ANGLE, PathData};
+use super::path::PathData;
+use super::{COORDINATE, FINE};
 use crate::number::Decimal;
 use gks_geometry::{Du, Rect};
 use gks_pipeline::colour::Paint;
@@ -107,16 +107,16 @@ fn full(document: &mut Document, centre: DVec2, axes: &Axes) {
     if circle {
         document.attribute("r", radii[0]);
     } else {
-        let degrees = ANGLE.steps(axes.turn());
-        if degrees == ANGLE.steps(90.0) {
+        let degrees = FINE.steps(axes.turn());
+        if degrees == FINE.steps(90.0) {
             radii.reverse();
         }
         document.attribute("rx", radii[0]);
         document.attribute("ry", radii[1]);
-        if degrees != 0 && degrees != ANGLE.steps(90.0) {
+        if degrees != 0 && degrees != FINE.steps(90.0) {
             open_attribute(&mut document.out, "transform");
             document.raw("rotate(");
-            ANGLE.write_steps(&mut document.out, degrees);
+            FINE.write_steps(&mut document.out, degrees);
             document.raw(" ");
             document.number(centre.x);
             document.raw(" ");

@@ -29,6 +29,7 @@ pub(super) struct Document {
     wanted: Vec<u8>,
     clips: VecDeque<([i64; 4], u32)>,
     defined: u32,
+    images: bool,
 }
 
 impl Document {
@@ -41,6 +42,7 @@ impl Document {
             wanted: Vec::new(),
             clips: VecDeque::new(),
             defined: 0,
+            images: false,
         }
     }
 
@@ -51,6 +53,7 @@ impl Document {
         self.clip = None;
         self.clips.clear();
         self.defined = 0;
+        self.images = false;
         self.sink.open()
     }
 
@@ -59,6 +62,11 @@ impl Document {
     pub(super) fn held(&self) -> usize {
         let clips = self.clips.capacity() * size_of::<([i64; 4], u32)>();
         self.out.capacity() + self.style.capacity() + self.wanted.capacity() + clips
+    }
+
+    /// Whether no image has been announced before in this document; one has been from now on.
+    pub(super) fn is_first_image(&mut self) -> bool {
+        !std::mem::replace(&mut self.images, true)
     }
 
     /// Closes all groups.

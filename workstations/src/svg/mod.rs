@@ -8,10 +8,14 @@
 //! nominal linewidth is 1. Numbers have two decimal places. Source: Scalable Vector Graphics (SVG) 1.1 (Second
 //! Edition), W3C Recommendation 16 August 2011.
 
+mod base64;
+mod cells;
 mod curve;
 mod document;
 mod line;
 mod path;
+mod subset;
+mod text;
 
 use crate::number::Decimal;
 use crate::options::Options;
@@ -25,9 +29,13 @@ use gks_pipeline::device::{
     Device, DeviceError, Drawn, Fill, Form, Mark, MarkerStyle, Page, Pen, Sink, Surface,
 };
 use gks_pipeline::look::{Cap, Join};
+use text::Fonts;
 
 /// How coordinates are written.
 const COORDINATE: Decimal = Decimal::new(2).bare();
+
+/// How angles, sizes and coefficients of matrices are written, which multiply distances.
+const FINE: Decimal = Decimal::new(5).bare();
 
 /// The length of a user unit in metres.
 const UNIT: f64 = 0.0002;
@@ -48,6 +56,8 @@ pub struct Svg {
     document: Document,
     background: Option<Colour>,
     transparent: bool,
+    outlines: bool,
+    fonts: Fonts,
 }
 
 impl Svg {
@@ -59,6 +69,8 @@ impl Svg {
             document: Document::new(sink),
             background: options.background,
             transparent: options.transparent,
+            outlines: options.outlines,
+            fonts: Fonts::default(),
         }
     }
 }
@@ -109,6 +121,7 @@ impl Device for Svg {
     fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
         let Surface { width, height, unit, .. } = self.surface;
         let document = &mut self.document;
+        self.fonts.clear();
         document.open()?;
         document
             .raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" ");
@@ -150,9 +163,13 @@ impl Device for Svg {
             }
             Form::Stroke(shape, pen) => curve::stroked(document, clip, shape, pen)?,
             Form::Filled(shape, paint) => curve::filled(document, clip, shape, paint)?,
-            Form::Area(_, _, Fill::Pattern(..)) | Form::Markers(..) | Form::Text(_) | Form::Cells(..) => {
-                return Ok(Drawn::No);
+            Form::Text(run) if !self.outlines => {
+                if !self.fonts.draw(document, clip, run)? {
+                    return Ok(Drawn::No);
+                }
             }
+            Form::Cells(place, grid) => cells::cells(document, clip, place, grid)?,
+            Form::Area(_, _, Fill::Pattern(..)) | Form::Markers(..) | Form::Text(_) => return Ok(Drawn::No),
         }
         document.spill()?;
         Ok(Drawn::Yes)
@@ -160,6 +177,7 @@ impl Device for Svg {
 
     fn end(&mut self) -> Result<(), DeviceError> {
         self.document.close_groups();
+        self.fonts.write(&mut self.document)?;
         self.document.raw("</svg>\n");
         Ok(self.document.finish()?)
     }

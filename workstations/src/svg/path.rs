@@ -1,5 +1,6 @@
 //! Path data: the value of the attribute `d`, with relative coordinates.
 
+use super::FINE;
 use super::document::Document;
 use crate::number::Decimal;
 use glam::DVec2;
@@ -7,9 +8,6 @@ use std::io;
 
 /// After as many relative steps comes an absolute one: viewers add up the steps in single precision.
 const STRIDE: u32 = 256;
-
-/// How angles in degrees are written: 1/10000 of a degree moves a point at a distance of 1000 units by 0.002.
-pub(super) const ANGLE: Decimal = Decimal::new(4).bare();
 
 /// Writes path data point by point.
 ///
@@ -185,7 +183,7 @@ impl<'d> PathData<'d> {
         for radius in radii {
             self.argument(self.decimal.steps(radius));
         }
-        self.argument_as(ANGLE, ANGLE.steps(turn));
+        self.argument_as(FINE, FINE.steps(turn));
         let one = self.decimal.scale() as i64;
         self.argument(0);
         self.argument(if onwards { one } else { 0 });
