@@ -9,7 +9,8 @@ use gks_pipeline::device::{Pen, Rule};
 use gks_pipeline::look::{Cap, Join};
 use std::io;
 
-/// Draws lines, with all paths in one element and all dots in another.
+/// Draws lines, with all paths in one element and all dots in another. A line that ends where it started has a
+/// corner there.
 pub(super) fn lines(
     document: &mut Document,
     clip: Option<&Rect<Du>>,
@@ -26,13 +27,17 @@ pub(super) fn lines(
         document.raw("<path d=\"");
         let mut data = PathData::new(document, COORDINATE);
         for path in paths.iter().filter(|path| path.len() > 1) {
+            let closed = path.len() > 3 && path.first() == path.last();
+            let last = if closed { path.len() - 1 } else { path.len() };
             data.move_to(path[0])?;
             let mut moved = false;
-            for &point in &path[1..] {
+            for &point in &path[1..last] {
                 moved |= data.line_to(point)?;
             }
-            if !moved {
-                data.stay();
+            match (moved, closed) {
+                (false, _) => data.stay(),
+                (true, true) => data.close(),
+                (true, false) => {}
             }
         }
         document.raw("\"/>\n");

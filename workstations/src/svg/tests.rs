@@ -145,6 +145,11 @@ fn lines_are_relative_and_share_attributes() {
             paths(&[&[(10.0, 20.0), (13.0, 24.5), (13.0, 30.0), (1.0, 30.0), (1.25, 30.75)], &[(5.0, 6.0)]]);
         draw(svg, Form::Lines(set.as_paths(), THIN), None);
         draw(svg, Form::Lines(paths(&[&[(1.0, 1.0), (2.0, 2.0)]]).as_paths(), THIN), None);
+        let back = paths(&[
+            &[(1.0, 1.0), (2.0, 2.0), (1.0, 1.0)],
+            &[(1.0, 1.0), (4.0, 1.0), (4.0, 9.0), (1.0, 1.0)],
+        ]);
+        draw(svg, Form::Lines(back.as_paths(), THIN), None);
         let thick = Pen { width: 2.5, paint: RED, cap: Cap::Round, join: Join::Bevel, dash: &[3.0, 1.5] };
         draw(svg, Form::Lines(paths(&[&[(1.0, 1.0), (1.001, 1.001)]]).as_paths(), thick), None);
     });
@@ -154,6 +159,7 @@ fn lines_are_relative_and_share_attributes() {
         <path d=\"m10 20 3 4.5v5.5h-12l.25.75\"/>\n\
         <path stroke-linecap=\"round\" d=\"m5 6h0\"/>\n\
         <path d=\"m1 1 1 1\"/>\n\
+        <path d=\"m1 1 1 1-1-1m0 0h3v8z\"/>\n\
         </g>\n\
         <g stroke=\"#f00\" stroke-width=\"2.5\" stroke-dasharray=\"3 1.5\" stroke-linecap=\"round\" \
         stroke-linejoin=\"bevel\">\n\
