@@ -18,6 +18,26 @@ pub struct WorkstationTransformation {
     pub viewport: Rect<Dc>,
 }
 
+/// The pixels of a display surface and what is needed to understand them.
+pub struct ReadBack<'a> {
+    /// The pixels of the current page, or none where nothing has been drawn on it and all pixels show the
+    /// background.
+    pub buffer: Option<&'a dyn FrameBuffer>,
+    /// The tables of the workstation.
+    pub tables: &'a Tables,
+    /// Numbers of columns and rows.
+    pub size: (u32, u32),
+}
+
+/// The pixel for a position on a side of the display surface that has `count` of them.
+fn pixel(at: f64, length: f64, count: u32) -> f64 {
+    let count = f64::from(count);
+    let at = at * (count / length);
+    // The last digits of the maps shall not put an edge into the pixel before it.
+    let at = if (at - at.round()).abs() < 1e-6 { at.round() } else { at };
+    if at == count { count - 1.0 } else { at.floor() }
+}
+
 /// An open workstation.
 pub struct Workstation {
     device: Box<dyn Device>,
@@ -230,10 +250,22 @@ impl Workstation {
         Ok(self.device.frame_buffer())
     }
 
-    /// The pixel (column, row) that contains a point given in NDC; may lie outside of the frame buffer.
+    /// What an inquiry reads pixels from, where they can be read back. Nothing is begun for it.
+    pub fn read_back(&mut self) -> Option<ReadBack<'_>> {
+        let (tables, size, begun) = (&self.tables, self.description.raster, self.begun);
+        let buffer = &*self.device.frame_buffer()?;
+        Some(ReadBack { buffer: begun.then_some(buffer), tables, size })
+    }
+
+    /// The pixel (column, row) that contains a point given in NDC, columns from the left and rows from the
+    /// top; it may lie outside of the display surface. A point on the right or the lower edge of the display
+    /// surface is in the last pixel. Devices without pixels count addressable positions.
     pub fn pixel_at(&self, p: Point<Ndc>) -> (f64, f64) {
-        let p = self.map.point(p);
-        (p.x().floor(), p.y().floor())
+        let surface = &self.description.surface;
+        let (columns, rows) = self.description.raster;
+        let at = self.map.point(p);
+        let down = if surface.y_down { at.y() } else { surface.height - at.y() };
+        (pixel(at.x(), surface.width, columns), pixel(down, surface.height, rows))
     }
 
     /// Completes the picture and closes the device.
