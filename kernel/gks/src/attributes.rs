@@ -33,6 +33,18 @@ impl Default for Geometry {
     }
 }
 
+impl Geometry {
+    /// The vector from base line to cap line.
+    pub(crate) fn height(&self) -> Vector<Wc> {
+        Vector::from_vec(self.character_up.0.normalize_or_zero() * self.character_height)
+    }
+
+    /// The vector along the base line, as long as the character width.
+    pub(crate) fn width(&self) -> Vector<Wc> {
+        Vector::from_vec(self.character_base.0.normalize_or_zero() * self.character_width)
+    }
+}
+
 /// Checks an index that counts from 1.
 pub(crate) fn index(function: Function, error: i32, value: i32) -> Result<u32> {
     match u32::try_from(value) {
@@ -213,10 +225,8 @@ impl Gks {
             return;
         }
         let (map, g) = (&self.normalization.map, &self.geometry);
-        let up = Vector::from_vec(g.character_up.0.normalize_or_zero() * g.character_height);
-        let base = Vector::from_vec(g.character_base.0.normalize_or_zero() * g.character_width);
-        self.look.text_geometry.height = map.vector(up);
-        self.look.text_geometry.width = map.vector(base);
+        self.look.text_geometry.height = map.vector(g.height());
+        self.look.text_geometry.width = map.vector(g.width());
         self.look.pattern.width = map.vector(g.pattern_width);
         self.look.pattern.height = map.vector(g.pattern_height);
         self.look.pattern.reference = map.point(g.pattern_reference);

@@ -27,8 +27,9 @@ pub use crate::generated::function::{Function, Level, OperatingState, StateMask}
 pub use crate::gks::{Defaults, Gks, MessageHandler};
 pub use crate::inquiry::{
     AttributeGroup, ColourFacilities, DeferralAndUpdateStates, DisplaySpaceSize, FillAreaFacilities,
-    IndividualAttributes, MaximumTableLengths, PolylineFacilities, PolymarkerFacilities, PrimitiveAttributes,
-    SizeRange, TextFacilities, ValueType, WorkstationMaximumNumbers, WorkstationTransformationState,
+    IndividualAttributes, MaximumTableLengths, PixelArray, PolylineFacilities, PolymarkerFacilities,
+    PrimitiveAttributes, SizeRange, TextExtent, TextFacilities, ValueType, WorkstationMaximumNumbers,
+    WorkstationTransformationState,
 };
 pub use crate::matrix::CoordinateSwitch;
 pub use crate::normalization::{NormalizationTransformation, RelativePriority};

@@ -5,16 +5,20 @@
 
 mod description;
 mod facilities;
+mod pixels;
 mod representation;
 mod state_list;
+mod text_extent;
 mod workstation;
 
 pub use description::{AttributeGroup, DisplaySpaceSize, MaximumTableLengths};
 pub use facilities::{
     ColourFacilities, FillAreaFacilities, PolylineFacilities, PolymarkerFacilities, SizeRange, TextFacilities,
 };
+pub use pixels::PixelArray;
 pub use representation::ValueType;
 pub use state_list::{IndividualAttributes, PrimitiveAttributes, WorkstationMaximumNumbers};
+pub use text_extent::TextExtent;
 pub use workstation::{DeferralAndUpdateStates, WorkstationTransformationState};
 
 use crate::{Error, Function, Result};
