@@ -5,6 +5,7 @@
 
 mod description;
 mod facilities;
+mod gks_description;
 mod pixels;
 mod representation;
 mod state_list;
@@ -15,14 +16,31 @@ pub use description::{AttributeGroup, DisplaySpaceSize, MaximumTableLengths};
 pub use facilities::{
     ColourFacilities, FillAreaFacilities, PolylineFacilities, PolymarkerFacilities, SizeRange, TextFacilities,
 };
+pub use gks_description::WorkstationMaximumNumbers;
 pub use pixels::PixelArray;
 pub use representation::ValueType;
-pub use state_list::{IndividualAttributes, PrimitiveAttributes, WorkstationMaximumNumbers};
+pub use state_list::{IndividualAttributes, PrimitiveAttributes};
 pub use text_extent::TextExtent;
 pub use workstation::{DeferralAndUpdateStates, WorkstationTransformationState};
 
 use crate::{Error, Function, Result};
 use gks_pipeline::description::Category;
+
+/// Writes inquiries of one value that fail only in the wrong state.
+macro_rules! inquiries {
+    ($($(#[$doc:meta])* $name:ident -> $type:ty, $function:ident => $value:expr;)+) => {
+        impl Gks { $(
+            $(#[$doc])*
+            #[inline]
+            pub fn $name(&self) -> Result<$type> {
+                self.check_state(Function::$function)?;
+                let value: fn(&Gks) -> $type = $value;
+                Ok(value(self))
+            }
+        )+ }
+    };
+}
+use inquiries;
 
 /// Checks that a function serves workstations of a category, by the errors that the function lists.
 ///

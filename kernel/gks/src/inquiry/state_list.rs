@@ -1,28 +1,14 @@
-//! Inquiries of the GKS description table and of the GKS state list: workstations and current attributes.
+//! Inquiries of the GKS state list: workstations and current attributes.
 //!
 //! Those of normalization transformations and clipping stand with the functions that set them.
 
-use crate::{Function, Gks, Level, Result};
+use super::inquiries;
+use crate::{Function, Gks, Result};
 use gks_geometry::{Point, Vector, Wc};
-use gks_pipeline::generated::numbers;
 use gks_pipeline::look::{
     AspectSourceFlags, FillBundle, Horizontal, InteriorStyle, LineBundle, MarkerBundle, Precision,
     TextBundle, TextPath, Vertical,
 };
-
-/// The level of this implementation: the greatest one that has all its functions.
-const LEVEL: Level = Level::L0a;
-
-/// How many workstations there may be.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct WorkstationMaximumNumbers {
-    /// Open at the same time.
-    pub open: u32,
-    /// Active at the same time.
-    pub active: u32,
-    /// Associated with one segment.
-    pub of_a_segment: u32,
-}
 
 /// The attributes that belong to no workstation: bundle indices and geometric attributes, in world coordinates.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -70,33 +56,7 @@ pub struct IndividualAttributes {
     pub sources: AspectSourceFlags,
 }
 
-macro_rules! inquiries {
-    ($($(#[$doc:meta])* $name:ident -> $type:ty, $function:ident => $value:expr;)+) => {
-        impl Gks { $(
-            $(#[$doc])*
-            #[inline]
-            pub fn $name(&self) -> Result<$type> {
-                self.check_state(Function::$function)?;
-                let value: fn(&Gks) -> $type = $value;
-                Ok(value(self))
-            }
-        )+ }
-    };
-}
-
 inquiries! {
-    /// INQUIRE LEVEL OF GKS. Error: 8.
-    inquire_level_of_gks -> Level, InquireLevelOfGks => |_| LEVEL;
-    /// INQUIRE LIST OF AVAILABLE WORKSTATION TYPES, in increasing order. Error: 8.
-    inquire_list_of_available_workstation_types -> Vec<i32>, InquireListOfAvailableWorkstationTypes
-        => |gks| gks.catalogue.types();
-    /// INQUIRE WORKSTATION MAXIMUM NUMBERS. Error: 8.
-    inquire_workstation_maximum_numbers -> WorkstationMaximumNumbers, InquireWorkstationMaximumNumbers
-        => |_| WorkstationMaximumNumbers {
-            open: numbers::MAX_OPEN_WORKSTATIONS,
-            active: numbers::MAX_ACTIVE_WORKSTATIONS,
-            of_a_segment: numbers::MAX_WORKSTATIONS_OF_A_SEGMENT,
-        };
     /// INQUIRE CURRENT PRIMITIVE ATTRIBUTE VALUES. Error: 8.
     inquire_current_primitive_attribute_values -> PrimitiveAttributes, InquireCurrentPrimitiveAttributeValues
         => |gks| PrimitiveAttributes {
@@ -208,8 +168,7 @@ mod tests {
         ($gks:expr, $each:ident) => {{
             let gks = $gks;
             for_all!(gks, $each:
-                inquire_level_of_gks, inquire_list_of_available_workstation_types,
-                inquire_workstation_maximum_numbers, inquire_current_primitive_attribute_values,
+                inquire_current_primitive_attribute_values,
                 inquire_polyline_index, inquire_polymarker_index, inquire_text_index, inquire_character_height,
                 inquire_character_up_vector, inquire_character_width, inquire_character_base_vector,
                 inquire_text_path, inquire_text_alignment, inquire_fill_area_index,
@@ -227,9 +186,9 @@ mod tests {
 
     #[test]
     fn nothing_can_be_inquired_while_gks_is_closed() {
-        assert_eq!(for_all!(closed(), number), [8; 34]);
+        assert_eq!(for_all!(closed(), number), [8; 31]);
         let is_ok = |result: Result<()>| result.is_ok();
-        assert_eq!(for_all!(open(&[]).0, is_ok), [true; 34]);
+        assert_eq!(for_all!(open(&[]).0, is_ok), [true; 31]);
     }
 
     #[test]
@@ -379,14 +338,5 @@ mod tests {
         gks.close_workstation(7).unwrap();
         assert_eq!(gks.inquire_set_of_open_workstations().unwrap().collect::<Vec<_>>(), [1, 2]);
         assert_eq!(gks.inquire_set_of_active_workstations().unwrap().collect::<Vec<_>>(), [1, 2]);
-    }
-
-    #[test]
-    fn the_implementation_describes_itself() {
-        let (gks, _) = open(&[]);
-        let types = gks.inquire_list_of_available_workstation_types().unwrap();
-        assert!(types.contains(&PLAIN) && types.is_sorted());
-        let most = gks.inquire_workstation_maximum_numbers().unwrap();
-        assert_eq!(most, WorkstationMaximumNumbers { open: 32, active: 32, of_a_segment: 32 });
     }
 }
