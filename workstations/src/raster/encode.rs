@@ -98,6 +98,8 @@ fn png(samples: &Samples<'_>, layout: Layout) -> Result<Vec<u8>, DeviceError> {
     let mut encoder = png::Encoder::new(&mut bytes, layout.width, layout.height);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
+    // Trying all filters on every row takes four times as long and saves a tenth.
+    encoder.set_filter(png::Filter::Paeth);
     let per_metre = (1.0 / layout.pixel).round() as u32;
     encoder.set_pixel_dims(Some(png::PixelDimensions {
         xppu: per_metre,
