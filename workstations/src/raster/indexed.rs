@@ -10,7 +10,7 @@ use super::wide_line::Shape;
 use crate::options::Options;
 use gks_algorithms::clip::polyline;
 use gks_algorithms::fill::EdgeTable;
-use gks_algorithms::line::bresenham;
+use gks_algorithms::line::{bresenham, m4};
 use gks_algorithms::rect::IRect;
 use gks_algorithms::{circle, ellipse, path};
 use gks_geometry::{Du, PathBuf, Paths, Point, Rect};
@@ -101,7 +101,7 @@ impl Indexed {
                 continue;
             }
             distinct.clear();
-            distinct.extend_from_slice(path);
+            m4(path.iter().copied(), 0.125, |p| distinct.push(p));
             distinct.dedup();
             let mut table = std::mem::take(&mut self.edges);
             shape.polygons(&distinct, |ring| {
@@ -114,17 +114,17 @@ impl Indexed {
     /// Draws a line one pixel wide.
     fn thin(&mut self, path: &[DVec2], index: u8) {
         let (raster, width) = (self.raster(), self.layout.width as usize);
-        let Some(&first) = path.first() else { return };
-        let mut from = self.pixel(first);
-        self.pixels[from.y as usize * width + from.x as usize] = index;
-        for &p in &path[1..] {
+        let mut from: Option<IVec2> = None;
+        // Within one column of pixels the lowest and the highest vertex make all the difference.
+        m4(path.iter().copied(), 1.0, |p| {
             let to = self.pixel(p);
-            if to != from {
-                let pixels = &mut self.pixels;
-                bresenham(from, to, raster, |x, y| pixels[y as usize * width + x as usize] = index);
+            let pixels = &mut self.pixels;
+            if from != Some(to) {
+                let mut plot = |x: i32, y: i32| pixels[y as usize * width + x as usize] = index;
+                bresenham(from.unwrap_or(to), to, raster, &mut plot);
             }
-            from = to;
-        }
+            from = Some(to);
+        });
     }
 
     fn area(&mut self, table: &mut EdgeTable, rings: Paths<'_, Du>, rule: path::Rule, index: u8) {
@@ -374,6 +374,23 @@ mod tests {
                 "...4444....1",
             ]
         );
+    }
+
+    #[test]
+    fn vertices_left_out_make_no_difference() {
+        let wave: Vec<DVec2> = (0..3000)
+            .map(|i| DVec2::new(0.013 * f64::from(i), 10.0 + 9.5 * (f64::from(i * i % 977) * 0.7).sin()))
+            .collect();
+        let mut device = canvas(40.0, 20.0);
+        draw(&mut device, Form::Lines(Paths::new(&wave, &[3000]), pen(1, 1.0)), None);
+        let mut expected = vec![0; 40 * 20];
+        for pair in wave.windows(2) {
+            let ends = [pair[0], pair[1]].map(|p| p.floor().as_ivec2());
+            let mut plot = |x: i32, y: i32| expected[(y * 40 + x) as usize] = 1;
+            bresenham(ends[0], ends[1], IRect::of_size(40, 20), &mut plot);
+        }
+        assert_eq!(device.indices(), expected);
+        assert!(expected.contains(&0));
     }
 
     #[test]

@@ -2,10 +2,12 @@
 //!
 //! The scan converter needs more than linear time for the outline of a long line, so a wide line is drawn in
 //! pieces. A piece after the first starts a little before its first corner, so that no corner lacks its
-//! join. A line no wider than a pixel is drawn segment by segment, which is fast for any length.
+//! join. A line no wider than a pixel is drawn segment by segment. Of long lines, vertices are left out that
+//! make no difference to be seen.
 
 use super::composite::{Pixel, over, pixel};
 use super::curve::Outline;
+use gks_algorithms::line::m4;
 use gks_geometry::{Du, Paths};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::device::Pen;
@@ -16,6 +18,8 @@ use tiny_skia::{FillRule, LineCap, LineJoin, Paint, Pixmap, Stroke, Transform};
 
 /// The most points of an outline.
 const PIECE: usize = 512;
+/// How far vertices that are left out may be from the line drawn, in pixels.
+const TOLERANCE: f64 = 0.125;
 /// A dot up to this width in pixels is a square.
 const WIDEST_SQUARE: f64 = 2.0;
 
@@ -78,7 +82,12 @@ impl<'a> Stroker<'a> {
         let mut distinct = Vec::new();
         for path in paths.iter() {
             distinct.clear();
-            distinct.extend(path.iter().copied().filter(|p| p.is_finite()));
+            let finite = path.iter().copied().filter(|p| p.is_finite());
+            if path.len() > PIECE {
+                m4(finite, TOLERANCE, |p| distinct.push(p));
+            } else {
+                distinct.extend(finite);
+            }
             distinct.dedup();
             match *distinct {
                 [] => continue,
