@@ -4,6 +4,7 @@ use crate::hpgl::{self, Hpgl};
 use crate::null::Null;
 use crate::options::{Options, SizeLimits};
 use crate::pdf::{self, Pdf};
+use crate::postscript::{self, PostScript};
 use crate::raster::{self, Format, Indexed, SizeError, TrueColour};
 use crate::svg::{self, Svg};
 use gks_pipeline::description::Description;
@@ -28,6 +29,7 @@ pub(crate) fn describe(kind: &WorkstationType, options: &Options) -> Result<Desc
         }
         own::SVG | own::SVG_OUTLINES => Ok(svg::describe(number, name, options)),
         own::PDF => Ok(pdf::describe(number, name, options)),
+        own::PS | own::EPS => Ok(postscript::describe(number, name, options)),
         own::PNG | own::JPEG | own::TIFF | own::BMP | own::WEBP | own::FRAMEBUFFER | own::NULL => {
             raster::true_colour(number, name, options).map_err(|error| error.to_string())
         }
@@ -54,6 +56,8 @@ pub(crate) fn open(
     Ok(match (kind.number, sink) {
         (own::SVG | own::SVG_OUTLINES, Some(sink)) => Box::new(Svg::new(sink, options)),
         (own::PDF, Some(sink)) => Box::new(Pdf::new(sink, options)),
+        (own::PS, Some(sink)) => Box::new(PostScript::new(sink, options)),
+        (own::EPS, Some(sink)) => Box::new(PostScript::encapsulated(sink, options)),
         (own::HPGL, Some(sink)) => Box::new(Hpgl::new(sink, options)),
         (own::NULL, None) => Box::new(Null::new(options).map_err(refused)?),
         (number @ (own::PNG8 | own::FRAMEBUFFER8), sink) => {

@@ -4,27 +4,23 @@
 //! same names, so that one writer serves both. What differs is small: in PostScript positions are whole
 //! numbers of hundredths of a point, lines are relative, there is one colour for lines and areas, and no
 //! opacity.
-//!
-//! Graphics state is written when it changes, not when it is used.
 
+use super::state::{State, Use};
 use crate::arc;
 use crate::number::Decimal;
 use gks_geometry::{Du, Paths, Rect};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::device::{DeviceError, Pen, Rule};
 use gks_pipeline::item::{Closure, Curve, Parallelogram};
-use gks_pipeline::look::{Cap, Join};
+use gks_pipeline::look::Cap;
 use glam::DVec2;
 use std::collections::BTreeSet;
 
 /// Positions are counted in hundredths of a point, whatever the language.
-const STEPS: Decimal = Decimal::new(2);
+pub(super) const STEPS: Decimal = Decimal::new(2);
 
 /// Widths and lengths of dashes are counted in thousandths of a point.
-const LENGTHS: Decimal = Decimal::new(3);
-
-/// Colour intensities are counted in thousandths.
-const INTENSITIES: Decimal = Decimal::new(3).bare();
+pub(super) const LENGTHS: Decimal = Decimal::new(3);
 
 /// The directions of a coordinate system are counted in ten-thousandths of a point, since they are multiplied.
 const DIRECTIONS: Decimal = Decimal::new(4);
@@ -47,53 +43,18 @@ pub(crate) trait Drain {
     fn drain(&mut self, text: &mut Vec<u8>) -> Result<(), DeviceError>;
 }
 
-/// What a colour is for.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-enum Use {
-    Lines,
-    Areas,
-}
-
-/// The graphics state as the reader has it; absent where it is not known.
-#[derive(Clone, Debug, PartialEq)]
-struct State {
-    line_colour: Option<[i64; 3]>,
-    area_colour: Option<[i64; 3]>,
-    opacity: u8,
-    width: Option<i64>,
-    cap: Cap,
-    join: Join,
-    dash: Vec<i64>,
-    font: Option<usize>,
-}
-
-impl State {
-    fn new() -> Self {
-        State {
-            line_colour: None,
-            area_colour: None,
-            opacity: 255,
-            width: None,
-            cap: Cap::Butt,
-            join: Join::Miter,
-            dash: Vec::new(),
-            font: None,
-        }
-    }
-}
-
 /// The description of one page while it is being written.
 pub(crate) struct Content {
-    language: Language,
+    pub(super) language: Language,
     /// How positions, lengths and directions are written; their counts do not depend on the language.
-    formats: [Decimal; 3],
-    text: Vec<u8>,
+    pub(super) formats: [Decimal; 3],
+    pub(super) text: Vec<u8>,
     limit: usize,
-    state: State,
+    pub(super) state: State,
     /// The state outside of the clipping rectangle, which comes back with it.
-    outside: State,
-    clip: Option<[i64; 4]>,
-    opacities: BTreeSet<u8>,
+    pub(super) outside: State,
+    pub(super) clip: Option<[i64; 4]>,
+    pub(super) opacities: BTreeSet<u8>,
 }
 
 impl Content {
@@ -140,33 +101,9 @@ impl Content {
         if self.text.len() < self.limit { Ok(()) } else { drain.drain(&mut self.text) }
     }
 
-    /// The opacities, of 255, that this page has used beside 255 itself.
-    pub(crate) fn opacities(&self) -> &BTreeSet<u8> {
-        &self.opacities
-    }
-
     /// The text of the description, to which operators of one language are added.
     pub(crate) fn text(&mut self) -> &mut Vec<u8> {
         &mut self.text
-    }
-
-    /// Sets the clipping rectangle.
-    pub(crate) fn clip(&mut self, clip: Option<&Rect<Du>>) {
-        let clip = clip.map(|rect| rect.limits().map(|limit| STEPS.steps(limit)));
-        if clip == self.clip {
-            return;
-        }
-        if self.clip.is_some() {
-            self.text.extend_from_slice(b"Q\n");
-            self.state.clone_from(&self.outside);
-        }
-        if let Some(limits) = clip {
-            self.outside.clone_from(&self.state);
-            self.text.extend_from_slice(b"q\n");
-            self.rectangle(limits);
-            self.text.extend_from_slice(b"W n\n");
-        }
-        self.clip = clip;
     }
 
     /// Fills a rectangle.
@@ -262,25 +199,6 @@ impl Content {
         Ok(())
     }
 
-    /// Sets the colour of areas and characters.
-    pub(crate) fn area_colour(&mut self, colour: Colour) {
-        self.colour(Use::Areas, colour);
-    }
-
-    /// Makes a font, by its number, the one for characters; whether it was another before.
-    pub(crate) fn changes_font(&mut self, font: usize) -> bool {
-        self.state.font.replace(font) != Some(font)
-    }
-
-    /// Sets the opacity, of 255, for what follows; PostScript has none.
-    pub(crate) fn opacity(&mut self, opacity: u8) {
-        if self.language == Language::Pdf && self.state.opacity != opacity {
-            self.text.extend_from_slice(format!("/A{opacity} gs\n").as_bytes());
-            self.state.opacity = opacity;
-            self.opacities.insert(opacity);
-        }
-    }
-
     /// Writes the coordinate system in which a parallelogram is the unit square, first row on top; nothing
     /// where it is flat.
     pub(crate) fn unit_square(&mut self, place: &Parallelogram<Du>) -> bool {
@@ -301,77 +219,6 @@ impl Content {
         true
     }
 
-    fn pen(&mut self, pen: &Pen<'_>) {
-        self.colour(Use::Lines, pen.paint.colour);
-        let width = LENGTHS.steps(pen.width.max(0.0));
-        if self.state.width != Some(width) {
-            self.number(1, width);
-            self.text.extend_from_slice(b"w\n");
-            self.state.width = Some(width);
-        }
-        if self.state.cap != pen.cap {
-            let code = match pen.cap {
-                Cap::Butt => b"0 J\n",
-                Cap::Round => b"1 J\n",
-                Cap::Projecting => b"2 J\n",
-            };
-            self.text.extend_from_slice(code);
-            self.state.cap = pen.cap;
-        }
-        if self.state.join != pen.join {
-            let code = match pen.join {
-                Join::Miter => b"0 j\n",
-                Join::Round => b"1 j\n",
-                Join::Bevel => b"2 j\n",
-            };
-            self.text.extend_from_slice(code);
-            self.state.join = pen.join;
-        }
-        self.dash(pen.dash);
-    }
-
-    /// Sets the dashes; dashes and gaps without any length would be an error, so they are a solid line.
-    fn dash(&mut self, dash: &[f64]) {
-        let lengths = || dash.iter().map(|length| LENGTHS.steps(length.max(0.0)));
-        let solid = lengths().all(|length| length == 0);
-        let count = if solid { 0 } else { dash.len() };
-        if self.state.dash.len() == count && lengths().zip(&self.state.dash).all(|(new, old)| new == *old) {
-            return;
-        }
-        self.state.dash.clear();
-        self.state.dash.extend(lengths().take(count));
-        self.text.push(b'[');
-        for (i, length) in lengths().take(count).enumerate() {
-            if i > 0 {
-                self.text.push(b' ');
-            }
-            self.formats[1].write_steps(&mut self.text, length);
-        }
-        self.text.extend_from_slice(b"] 0 d\n");
-    }
-
-    fn colour(&mut self, purpose: Use, colour: Colour) {
-        self.opacity(colour.to_bytes()[3]);
-        let intensity = |value: f32| INTENSITIES.steps(f64::from(value.clamp(0.0, 1.0)));
-        let new = [colour.red, colour.green, colour.blue].map(intensity);
-        let lines = purpose == Use::Lines && self.language == Language::Pdf;
-        let known = if lines { &mut self.state.line_colour } else { &mut self.state.area_colour };
-        if known.replace(new) == Some(new) {
-            return;
-        }
-        let grey = new[0] == new[1] && new[1] == new[2];
-        for &component in &new[..if grey { 1 } else { 3 }] {
-            INTENSITIES.write_steps(&mut self.text, component);
-            self.text.push(b' ');
-        }
-        self.text.extend_from_slice(match (grey, lines) {
-            (true, true) => b"G\n",
-            (true, false) => b"g\n",
-            (false, true) => b"RG\n",
-            (false, false) => b"rg\n",
-        });
-    }
-
     fn fill(&mut self, rule: Rule) {
         self.text.extend_from_slice(match rule {
             Rule::NonZero => b"f\n",
@@ -379,18 +226,21 @@ impl Content {
         });
     }
 
-    fn rectangle(&mut self, [left, right, bottom, top]: [i64; 4]) {
+    pub(super) fn rectangle(&mut self, [left, right, bottom, top]: [i64; 4]) {
         self.position([left, bottom]);
         self.position([right - left, top - bottom]);
         self.text.extend_from_slice(b"re\n");
     }
 
-    /// Appends a path that is no dot; points that fall upon their predecessor are left out.
+    /// Appends a path that is no dot; points that fall upon their predecessor are left out. A path that ends
+    /// where it started is closed.
     fn path(&mut self, path: &[DVec2], drain: &mut impl Drain) -> Result<(), DeviceError> {
+        let closed = path.len() > 3 && path.first() == path.last();
+        let end = path.len() - usize::from(closed);
         let mut last = steps(path[0]);
         self.position(last);
         self.text.extend_from_slice(b"m\n");
-        for &point in &path[1..] {
+        for &point in &path[1..end] {
             let next = steps(point);
             if next == last {
                 continue;
@@ -398,6 +248,9 @@ impl Content {
             self.line(last, next);
             last = next;
             self.relieve(drain)?;
+        }
+        if closed {
+            self.text.extend_from_slice(b"h\n");
         }
         Ok(())
     }
@@ -478,7 +331,7 @@ impl Content {
     }
 
     #[inline]
-    fn number(&mut self, format: usize, count: i64) {
+    pub(super) fn number(&mut self, format: usize, count: i64) {
         self.formats[format].write_steps(&mut self.text, count);
         self.text.push(b' ');
     }
@@ -509,6 +362,7 @@ mod tests {
     use gks_geometry::{Point, Vector};
     use gks_pipeline::colour::Paint;
     use gks_pipeline::item::Ellipse;
+    use gks_pipeline::look::Join;
 
     /// Keeps what is drained, and counts how often.
     #[derive(Default)]
@@ -595,6 +449,17 @@ mod tests {
             content.area(Paths::new(&points, &[1, 3]), Rule::EvenOdd, Colour::BLACK, tub).unwrap();
         });
         assert_eq!(text, "1 0 .5 RG,2 w,1 J,5 5 m,5 5 l,6 6 m,6 6 l,S,0 g,");
+    }
+
+    #[test]
+    fn lines_that_come_back_are_closed() {
+        let square = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::ZERO];
+        let text = written(Language::Pdf, |content, tub| {
+            content.lines(Paths::new(&square, &[4]), &pen(1.0, &[]), tub).unwrap();
+            let back = [DVec2::ZERO, DVec2::X, DVec2::ZERO];
+            content.lines(Paths::new(&back, &[3]), &pen(1.0, &[]), tub).unwrap();
+        });
+        assert_eq!(text, "1 0 .5 RG,1 w,0 0 m,1 0 l,1 1 l,h,S,0 0 m,1 0 l,0 0 l,S,");
     }
 
     #[test]

@@ -11,6 +11,7 @@ mod font;
 pub(crate) mod image;
 pub(crate) mod run;
 pub(crate) mod sfnt;
+mod state;
 
 use crate::options::Options;
 use crate::paper;

@@ -45,7 +45,8 @@ pub(crate) fn lines(device: &mut dyn Device, points: &[(f64, f64)], pen: Pen<'_>
     draw(device, Form::Lines(Paths::new(&points, &[points.len() as u32]), pen));
 }
 
-fn ellipse(x: f64, y: f64, start: f64, sweep: f64, closure: Closure) -> Curve<'static, Du> {
+/// A leaning elliptic arc.
+pub(crate) fn ellipse(x: f64, y: f64, start: f64, sweep: f64, closure: Closure) -> Curve<'static, Du> {
     let (a, b) = (Vector::new(40.0, 10.0), Vector::new(-5.0, 25.0));
     Curve::Ellipse(Ellipse { centre: Point::new(x, y), a, b, start, sweep, closure })
 }
@@ -214,6 +215,18 @@ fn cells(device: &mut dyn Device) {
             Grid { paints: &ramp, columns: 64, rows: 64 },
         ),
     );
+}
+
+/// Offers markers and an area with a pattern, which must be refused.
+pub(crate) fn refusals(device: &mut dyn Device) {
+    let style = MarkerStyle { kind: 3, size: 5.0, width: 1.0, paint: paint(0.0, 0.0, 0.0) };
+    let points = [DVec2::ZERO, DVec2::X, DVec2::Y];
+    let cells = [paint(1.0, 0.0, 0.0)];
+    let grid = Grid { paints: &cells, columns: 1, rows: 1 };
+    let fill = Fill::Pattern(place((0.0, 0.0), (1.0, 0.0), (0.0, 1.0)), grid);
+    for form in [Form::Markers(&points, style), Form::Area(Paths::new(&points, &[3]), Rule::EvenOdd, fill)] {
+        assert_eq!(device.draw(&Mark { form, clip: None }).unwrap(), Drawn::No);
+    }
 }
 
 /// A picture: number of columns, number of rows, red, green and blue.

@@ -2,5 +2,6 @@
 
 mod card;
 mod pdf;
+mod postscript;
 mod programs;
 mod receiver;

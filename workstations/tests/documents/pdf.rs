@@ -189,13 +189,5 @@ fn failing_sink_is_reported() {
 fn markers_and_patterns_are_refused() {
     let mut pdf = Pdf::new(Receiver::default().sink(), &Options::default());
     pdf.begin(&page(1)).unwrap();
-    let style = MarkerStyle { kind: 3, size: 5.0, width: 1.0, paint: paint(0.0, 0.0, 0.0) };
-    let points = [DVec2::ZERO, DVec2::X, DVec2::Y];
-    let cell = [paint(1.0, 0.0, 0.0)];
-    let fill =
-        Fill::Pattern(place((0.0, 0.0), (1.0, 0.0), (0.0, 1.0)), Grid { paints: &cell, columns: 1, rows: 1 });
-    let forms = [Form::Markers(&points, style), Form::Area(Paths::new(&points, &[3]), Rule::EvenOdd, fill)];
-    for form in forms {
-        assert_eq!(pdf.draw(&Mark { form, clip: None }).unwrap(), Drawn::No);
-    }
+    card::refusals(&mut pdf);
 }
