@@ -25,6 +25,15 @@ impl ErrorFile {
         }
     }
 
+    /// The Fortran logical unit of the file, if it is that of one.
+    pub fn unit(&self) -> Option<i32> {
+        match self {
+            ErrorFile::Stderr => Some(0),
+            ErrorFile::Stdout => Some(6),
+            ErrorFile::Path(path) => path.strip_prefix("fort.").and_then(|unit| unit.parse().ok()),
+        }
+    }
+
     /// The file of a name; an empty one means the standard error output.
     pub fn from_name(name: &str) -> Self {
         if name.is_empty() { ErrorFile::Stderr } else { ErrorFile::Path(name.to_owned()) }
@@ -47,5 +56,30 @@ impl ErrorFile {
         if written.is_err() {
             let _ = std::io::stderr().write_all(message.as_bytes());
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_and_files_stand_for_each_other() {
+        for unit in [0, 6, 19] {
+            assert_eq!(ErrorFile::from_unit(unit).unit(), Some(unit));
+        }
+        assert_eq!(ErrorFile::from_name("errors.log").unit(), None);
+        assert_eq!(ErrorFile::from_name(""), ErrorFile::Stderr);
+    }
+
+    #[test]
+    fn messages_are_appended() {
+        let path = std::env::temp_dir().join(format!("gks-error-file-{}", std::process::id()));
+        let file = ErrorFile::from_name(&path.to_string_lossy());
+        file.write("one\n");
+        file.write("two\n");
+        let text = std::fs::read_to_string(&path);
+        std::fs::remove_file(&path).expect("the file is there");
+        assert_eq!(text.expect("the file is text"), "one\ntwo\n");
     }
 }

@@ -4,9 +4,11 @@
 //! under the lock, and reports an error after the lock has been released, because an error handler of the
 //! program may inquire, log and close. No panic crosses the border: one that happens all the same is reported
 //! as a system error, and the process goes on.
+#![allow(unsafe_code, reason = "the hook for the end of the process is a function of C")]
 
 mod dialect;
 mod error_file;
+mod exit;
 mod text;
 
 pub use dialect::Dialect;
@@ -28,6 +30,18 @@ pub struct Instance {
     handling: bool,
     /// The error that is being handled, with its detail, for the log.
     current: Option<Error>,
+}
+
+impl Instance {
+    /// OPEN GKS with an error file. What is still open when the process ends is completed then.
+    ///
+    /// Error: 1.
+    pub fn open_gks(&mut self, error_file: ErrorFile) -> gks::Result<()> {
+        self.gks.open_gks()?;
+        self.error_file = error_file;
+        exit::close_when_process_ends();
+        Ok(())
+    }
 }
 
 static INSTANCE: Mutex<Option<Box<Instance>>> = Mutex::new(None);
