@@ -59,9 +59,20 @@ fn create() -> Box<Instance> {
     let defaults: Defaults = dialect.defaults();
     let mut gks = Gks::with_defaults(Box::new(Drivers::from_process()), defaults);
     gks.on_message(Box::new(|workstation, text| {
-        eprintln!("GKS message on workstation {workstation}: {text}")
+        eprintln!("GKS message on workstation {workstation}: {text}");
     }));
     Box::new(Instance { gks, error_file: ErrorFile::Stderr, handling: false, current: None })
+}
+
+/// The error of a function that may not be called in the operating state. For bindings that find an argument
+/// wrong before the kernel sees it.
+#[inline]
+pub fn check_state(gks: &Gks, function: Function) -> gks::Result<()> {
+    if function.states().contains(gks.inquire_operating_state_value()) {
+        Ok(())
+    } else {
+        Err(Error::new(function.state_error(), function))
+    }
 }
 
 /// Runs `f` with the instance locked. For inquiries, which report nothing.
@@ -103,21 +114,21 @@ pub fn call_instance<R>(
     match result {
         Ok(value) => value,
         Err(error) => {
-            handle(error, report);
+            handle(&error, report);
             None
         }
     }
 }
 
 #[cold]
-fn handle(error: Error, report: impl FnOnce(&Error, &ErrorFile)) {
+fn handle(error: &Error, report: impl FnOnce(&Error, &ErrorFile)) {
     let file = with(|instance| {
         instance.handling = true;
         instance.current = Some(error.clone());
         instance.error_file.clone()
     });
     // A handler written in another language may not unwind into this one either.
-    let _ = catch_unwind(AssertUnwindSafe(|| report(&error, &file)));
+    let _ = catch_unwind(AssertUnwindSafe(|| report(error, &file)));
     with(|instance| {
         instance.handling = false;
         instance.current = None;
@@ -125,7 +136,7 @@ fn handle(error: Error, report: impl FnOnce(&Error, &ErrorFile)) {
 }
 
 /// Reports an error that a binding itself found.
-pub fn raise(error: Error, report: impl FnOnce(&Error, &ErrorFile)) {
+pub fn raise(error: &Error, report: impl FnOnce(&Error, &ErrorFile)) {
     if !with(|instance| instance.handling) {
         handle(error, report);
     }

@@ -1,0 +1,66 @@
+//! Error handling: the handler that a program may replace, and logging.
+
+use crate::argument::{In, Out};
+use crate::types::Gint;
+use gks::{Error, Function};
+use gks_instance::ErrorFile;
+use std::ffi::{CString, c_char};
+use std::sync::{Mutex, PoisonError};
+
+/// An error handling function of a program: error number, function identifier, name of the error file, which
+/// is null for the standard error output.
+type ErrorHandler = unsafe extern "C" fn(Gint, Gint, In<c_char>);
+
+/// The handler of the program; the default one where there is none.
+static HANDLER: Mutex<Option<ErrorHandler>> = Mutex::new(None);
+
+/// The function identifier of functions that have none.
+const NO_FUNCTION: Gint = -1;
+
+fn exchange(handler: Option<ErrorHandler>) -> ErrorHandler {
+    let mut current = HANDLER.lock().unwrap_or_else(PoisonError::into_inner);
+    std::mem::replace(&mut *current, handler).unwrap_or(gerr_hand)
+}
+
+/// Hands an error to the error handler of the program.
+#[cold]
+pub(crate) fn report(error: &Error, file: &ErrorFile) {
+    let handler = HANDLER.lock().unwrap_or_else(PoisonError::into_inner).unwrap_or(gerr_hand);
+    let name = match file {
+        ErrorFile::Stderr => None,
+        ErrorFile::Stdout => Some(c"/dev/stdout".to_owned()),
+        ErrorFile::Path(path) => CString::new(path.as_str()).ok(),
+    };
+    let name = In::of(name.as_deref());
+    // SAFETY: the program gave a function of this type; the name lives until it returns.
+    unsafe { handler(error.number, error.function.id().unwrap_or(NO_FUNCTION), name) }
+}
+
+/// ERROR HANDLING: what happens to an error where the program has no handler of its own. Logs it.
+#[unsafe(no_mangle)]
+extern "C" fn gerr_hand(err_num: Gint, func_num: Gint, err_file: In<c_char>) {
+    gerr_log(err_num, func_num, err_file);
+}
+
+/// ERROR LOGGING: writes an error to an error file.
+#[unsafe(no_mangle)]
+extern "C" fn gerr_log(err_num: Gint, func_num: Gint, err_file: In<c_char>) {
+    gks_instance::log(err_num, func_num, &ErrorFile::from_name(&err_file.text()));
+}
+
+/// SET ERROR HANDLER: has a function of the program called for errors, or, for a null pointer, the default
+/// one again. The former handler is given back.
+#[unsafe(no_mangle)]
+extern "C" fn gset_err_hand(new_err_hand: Option<ErrorHandler>, old_err_hand: Out<ErrorHandler>) {
+    old_err_hand.set(exchange(new_err_hand));
+}
+
+/// EMERGENCY CLOSE GKS.
+#[unsafe(no_mangle)]
+extern "C" fn gemergency_close_gks() {
+    // An error handler may call it too, for which reason it runs as an inquiry does.
+    let _ = gks_instance::inquire(Function::EmergencyCloseGks, |gks| {
+        gks.emergency_close_gks();
+        Ok(())
+    });
+}
