@@ -133,7 +133,9 @@ impl Device for Svg {
         document.number(width);
         document.raw(" ");
         document.number(height);
-        document.raw("\" fill=\"none\" fill-rule=\"evenodd\" stroke-miterlimit=\"10\">\n");
+        document.raw("\" fill=\"none\" fill-rule=\"evenodd\" stroke-miterlimit=\"10\"");
+        // Else browsers move the edges of characters to pixels.
+        document.raw(" text-rendering=\"geometricPrecision\">\n");
         document.raw(&format!("<title>Page {}</title>\n", page.number));
         if !self.transparent {
             document.raw("<rect");
