@@ -1,7 +1,7 @@
 //! Decimal numbers as text: rounded, exact and as short as possible, for formats that are made of numbers.
 //!
-//! Coordinates are rounded to integers first, counts of the smallest step that the format writes, and only these
-//! integers become text. A driver that writes differences takes them between such integers, so that
+//! Coordinates are rounded to integers first, counts of the smallest step that the format writes, and only
+//! these integers become text. A driver that writes differences takes them between such integers, so that
 //! rounding errors never add up.
 
 /// The largest magnitude that is written; numbers beyond it are cut off at it.

@@ -1,7 +1,7 @@
 //! Cell arrays: as rectangles where a few will do, else as images, PNG in base 64.
 //!
-//! Cells have sharp edges. Viewers know several words for that, and some blur images whatever they are told: hence
-//! rectangles, and images with many pixels for a cell.
+//! Cells have sharp edges. Viewers know several words for that, and some blur images whatever they are
+//! told: hence rectangles, and images with many pixels for a cell.
 
 use super::FINE;
 use super::base64::Base64;
@@ -19,8 +19,8 @@ use std::io::{self, Write};
 /// As many rectangles are drawn at most for one array.
 const RECTANGLES: usize = 512;
 
-/// An image gets a pixel for each user unit, so that what viewers blur is no wider, until it has as many columns
-/// or rows as this.
+/// An image gets a pixel for each user unit, so that what viewers blur is no wider, until it has as many
+/// columns or rows as this.
 const IMAGE: u32 = 1024;
 
 /// Draws cells.
@@ -47,7 +47,8 @@ pub(super) fn cells(
     let (width, height) = (columns * factor, rows * factor);
     document.group(clip, |_| {});
     if document.is_first_image() {
-        // What SVG 1.1 calls optimizeSpeed has another name in CSS; viewers that do not know it know no @supports.
+        // What SVG 1.1 calls optimizeSpeed has another name in CSS; viewers that do not know it know no
+        // @supports.
         document.raw("<style type=\"text/css\">@supports(image-rendering:pixelated)");
         document.raw("{image[image-rendering]{image-rendering:pixelated}}</style>\n");
     }

@@ -138,8 +138,8 @@ fn range(ellipse: &Ellipse<Du>) -> [f64; 2] {
 
 /// A part of an ellipse, or a full one from its starting point on, as arcs of at most a quarter turn.
 ///
-/// An arc is given by its ends and radii, and its centre follows from them. The nearer an arc is to half a turn,
-/// and the flatter the ellipse, the more the rounding of the ends moves the centre: hence quarters,
+/// An arc is given by its ends and radii, and its centre follows from them. The nearer an arc is to half a
+/// turn, and the flatter the ellipse, the more the rounding of the ends moves the centre: hence quarters,
 /// and more decimal places for flat ellipses.
 fn arc(document: &mut Document, ellipse: &Ellipse<Du>, axes: &Axes) -> io::Result<()> {
     let flatness = (axes.radii[0] / axes.radii[1] * 2.5).log10().clamp(0.0, 4.0) as u32;

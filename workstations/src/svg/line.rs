@@ -9,8 +9,8 @@ use gks_pipeline::device::{Pen, Rule};
 use gks_pipeline::look::{Cap, Join};
 use std::io;
 
-/// Draws lines, with all paths in one element and all dots in another. A line that ends where it started has a
-/// corner there.
+/// Draws lines, with all paths in one element and all dots in another. A line that ends where it started
+/// has a corner there.
 pub(super) fn lines(
     document: &mut Document,
     clip: Option<&Rect<Du>>,

@@ -5,8 +5,8 @@
 //! alike share a group, so that attributes are not repeated. The same marks give the same bytes.
 //!
 //! One user unit is 0.2 mm, so that the default surface of 200 mm x 200 mm has 1000 x 1000 of them, and the
-//! nominal linewidth is 1. Numbers have two decimal places. Source: Scalable Vector Graphics (SVG) 1.1 (Second
-//! Edition), W3C Recommendation 16 August 2011.
+//! nominal linewidth is 1. Numbers have two decimal places. Source: Scalable Vector Graphics (SVG) 1.1
+//! (Second Edition), W3C Recommendation 16 August 2011.
 
 mod base64;
 mod cells;
@@ -101,8 +101,8 @@ pub fn describe(number: i32, name: &'static str, options: &Options) -> Descripti
     }
 }
 
-/// The surface that the options ask for; a size that is none (not positive, not finite, beyond a kilometre) is
-/// replaced by the default.
+/// The surface that the options ask for; a size that is none (not positive, not finite, beyond a kilometre)
+/// is replaced by the default.
 fn surface(options: &Options) -> Surface {
     let side = |points: f64| Some(points / POINTS / UNIT).filter(|side| *side > 0.1 && *side < 5e6);
     let asked = options.size.and_then(|(width, height)| Some((side(width)?, side(height)?)));

@@ -63,8 +63,8 @@ impl<'d> PathData<'d> {
         }
     }
 
-    /// Writes a number, separated from the one before only where it must be: not before a sign, and not before
-    /// a point if the number before has one already.
+    /// Writes a number, separated from the one before only where it must be: not before a sign, and not
+    /// before a point if the number before has one already.
     #[inline]
     fn argument(&mut self, steps: i64) {
         self.argument_as(self.decimal, steps);

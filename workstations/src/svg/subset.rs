@@ -1,8 +1,9 @@
 //! Font files cut down to the glyphs that a document shows, fit for web browsers.
 //!
-//! The crate `subsetter` makes files for PDF, which lack what a browser asks for: the map from characters to
-//! glyphs and the metrics of `OS/2`. These are added here. Hinting programs, which are half of a typical
-//! file and do nothing for text of arbitrary size and direction, are left out. Source: OpenType specification 1.9.
+//! The crate `subsetter` makes files for PDF, which lack what a browser asks for: the map from characters
+//! to glyphs and the metrics of `OS/2`. These are added here. Hinting programs, which are half of a typical
+//! file and do nothing for text of arbitrary size and direction, are left out. Source: OpenType
+//! specification 1.9.
 
 use std::collections::BTreeMap;
 use subsetter::GlyphRemapper;

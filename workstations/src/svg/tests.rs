@@ -106,7 +106,8 @@ fn validate(text: &str) {
 #[test]
 fn empty_page() {
     let head = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-        <svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" \
+        <svg xmlns=\"http://www.w3.org/2000/svg\" \
+        xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" \
         width=\"200mm\" height=\"200mm\" viewBox=\"0 0 1000 1000\" fill=\"none\" fill-rule=\"evenodd\" \
         stroke-miterlimit=\"10\" text-rendering=\"geometricPrecision\">\n<title>Page 1</title>\n";
     assert_eq!(

@@ -105,8 +105,8 @@ impl Fonts {
         Ok(true)
     }
 
-    /// The number of a font to which the characters of a run have been added; none if a character is already shown
-    /// by another glyph of the font.
+    /// The number of a font to which the characters of a run have been added; none if a character is
+    /// already shown by another glyph of the font.
     fn admit(
         &mut self,
         face: &'static OutlineFace,
@@ -212,7 +212,8 @@ fn ends_of_pieces(places: &[DVec2], widths: &[f64], spacing: f64) -> Vec<usize> 
     ends
 }
 
-/// Appends the positions of the characters of a piece, which lie on a horizontal line; `line` is the one before.
+/// Appends the positions of the characters of a piece, which lie on a horizontal line; `line` is the one
+/// before.
 fn write_places(out: &mut Vec<u8>, places: &[DVec2], line: f64) {
     open_attribute(out, "x");
     for (i, place) in places.iter().enumerate() {
@@ -299,7 +300,8 @@ mod tests {
         text[..text.find("<style").unwrap()].to_owned()
     }
 
-    const GROUP: &str = "<g fill=\"#000\" font-family=\"gks0,'Liberation Sans',Arimo,Arial,Helvetica,sans-serif\" font-size=\"10\">\n";
+    const GROUP: &str = "<g fill=\"#000\" \
+        font-family=\"gks0,'Liberation Sans',Arimo,Arial,Helvetica,sans-serif\" font-size=\"10\">\n";
 
     #[test]
     fn characters_are_placed_one_by_one() {
@@ -317,7 +319,8 @@ mod tests {
             }
         });
         let expected = "<text x=\"20 25.56 31.4\" y=\"30\">a&lt;b</text>\n\
-            <text xml:space=\"preserve\" letter-spacing=\"2.5\" x=\"20 25.28 30 35.28 40.56\" y=\"30\"> i  &amp;</text>\n\
+            <text xml:space=\"preserve\" letter-spacing=\"2.5\" \
+            x=\"20 25.28 30 35.28 40.56\" y=\"30\"> i  &amp;</text>\n\
             <text x=\"20\" y=\"30\">A<tspan x=\"25.93\">V</tspan><tspan x=\"33.34 40.01\">AB</tspan></text>\n\
             <text x=\"20\" y=\"30\">A<tspan x=\"20\" y=\"42\">B</tspan></text>\n";
         assert_eq!(text, format!("{GROUP}{expected}</g>\n"));
