@@ -28,6 +28,7 @@ pub struct Painter {
     mapped: PathBuf<Du>,
     clipped: PathBuf<Du>,
     pub(crate) lowered: PathBuf<Du>,
+    pub(crate) strokes: PathBuf<Du>,
     pieces: PathBuf<Du>,
     outlines: PathBuf<Du>,
     dash: Vec<f64>,
@@ -142,6 +143,9 @@ impl Painter {
             let done = self.lines(pieces.as_paths(), &Pen { dash: &[], ..*pen }, clip, canvas);
             self.pieces = pieces;
             return done;
+        }
+        if let Some(tip) = canvas.surface.pen.filter(|tip| pen.width > tip * lower::wide::SINGLE) {
+            return lower::wide::draw(self, paths, pen, tip, clip, canvas);
         }
         let Some(clip) = crossing else { return must(canvas.offer(Form::Lines(paths, *pen), None)) };
         let mut clipped = std::mem::take(&mut self.clipped);

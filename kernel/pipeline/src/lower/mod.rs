@@ -10,3 +10,4 @@ pub mod line;
 pub mod marker;
 pub mod pattern;
 pub mod text;
+pub mod wide;
