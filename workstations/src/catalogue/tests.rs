@@ -196,6 +196,9 @@ fn descriptions_are_those_of_the_devices() {
             assert_eq!(described, description);
             assert_eq!(&described.surface, device.surface(), "{number} {list}");
             assert_eq!(described.number, number);
+            if let Some(kind) = by_number(number) {
+                assert_eq!(described.colour_table_length(), kind.colours, "{number}");
+            }
             let raster = described.raster;
             assert!(raster.0 > 0 && raster.1 > 0 && described.size().0 > 0.0, "{number}");
             if list.contains("landscape=0") {

@@ -84,7 +84,8 @@ pub fn describe(number: i32, name: &'static str, options: &Options) -> Descripti
         classification: Classification::Vector,
         raster: (surface.width as u32, surface.height as u32),
         surface,
-        colours: Profile::A4.pens,
+        // Every index may be set; which pen draws it is a matter of the profile.
+        colours: 0,
         dynamic: DynamicModifications {
             line_bundles: DynamicModification::Imm,
             marker_bundles: DynamicModification::Imm,
