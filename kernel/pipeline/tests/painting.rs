@@ -200,6 +200,26 @@ fn a_pen_fills_areas_with_lines_a_pen_width_apart() {
 }
 
 #[test]
+fn a_pen_draws_wide_lines_with_strokes_that_are_clipped_one_by_one() {
+    let line = path(&[(0.1, 0.5), (0.9, 0.5)]);
+    let strokes = |width: f64, clip| {
+        let (mut ws, seen) = with_surface(&[], false, Some(10.0));
+        let mut look = Look::default();
+        look.line.width = width;
+        draw(&mut ws, Shape::Polyline(line.as_paths()), &look, clip);
+        let seen = seen.lock().unwrap();
+        assert_eq!(seen.len(), 1);
+        let points = seen[0].paths.concat();
+        let low = points.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+        let high = points.iter().map(|p| p.y).fold(0.0, f64::max);
+        (seen[0].width, low, high)
+    };
+    assert_eq!(strokes(15.0, Rect::UNIT), (15.0, 500.0, 500.0));
+    assert_eq!(strokes(50.0, Rect::UNIT), (10.0, 480.0, 520.0));
+    assert_eq!(strokes(50.0, Rect::new(0.0, 1.0, 0.0, 0.505)), (10.0, 480.0, 505.0));
+}
+
+#[test]
 fn hatches_of_neighbours_continue_one_another() {
     let look = area_look(InteriorStyle::Hatch, -3);
     let ends = |ring: &[(f64, f64)]| {
