@@ -220,3 +220,9 @@ fn categories_are_those_that_programs_expect() {
     assert_eq!(category(3), None);
     assert!(ncar.types().starts_with(&[0, 1, 7, 8, 10, 11, 12, 20, 21]));
 }
+
+#[test]
+fn every_type_of_the_table_is_served() {
+    let numbers: Vec<i32> = WORKSTATION_TYPES.iter().map(|kind| kind.number).collect();
+    assert_eq!(Drivers::new(Environment::default()).types(), numbers);
+}
