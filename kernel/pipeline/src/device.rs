@@ -108,8 +108,8 @@ pub struct Surface {
     /// The smallest distance the device can show, in device units: a pixel, a plotter step. Curves are
     /// flattened to within a fraction of it.
     pub resolution: f64,
-    /// Width of the pen in device units where the device draws with pens: areas become hatches and text
-    /// becomes strokes. None where areas can be filled.
+    /// Width of the pen in device units where the device draws with pens: areas become hatches, text becomes
+    /// strokes, and a line wider than the pen comes as several. None where areas can be filled.
     pub pen: Option<f64>,
 }
 
