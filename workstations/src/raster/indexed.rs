@@ -19,6 +19,7 @@ use gks_pipeline::device::{
     Device, DeviceError, Drawn, Fill, Form, FrameBuffer, Grid, Mark, Page, Pen, Rule, Sink, Surface,
 };
 use gks_pipeline::item::{Closure, Curve, Ellipse, Parallelogram};
+use gks_pipeline::look::Cap;
 use glam::{DVec2, IVec2};
 use std::cell::RefCell;
 use std::f64::consts::TAU;
@@ -97,7 +98,7 @@ impl Indexed {
         let mut distinct = Vec::new();
         for path in paths.iter() {
             if pen.width < WIDE {
-                self.thin(path, index);
+                self.thin(path, pen.cap, index);
                 continue;
             }
             distinct.clear();
@@ -112,11 +113,18 @@ impl Indexed {
     }
 
     /// Draws a line one pixel wide.
-    fn thin(&mut self, path: &[DVec2], index: u8) {
+    fn thin(&mut self, path: &[DVec2], cap: Cap, index: u8) {
         let (raster, width) = (self.raster(), self.layout.width as usize);
         let mut from: Option<IVec2> = None;
+        let last = path.len().saturating_sub(1);
+        let cut = cap == Cap::Butt && path.first() != path.last();
+        let vertices = path.iter().enumerate().map(|(i, &p)| match i {
+            0 if cut => inset(p, path[1]),
+            _ if cut && i == last => inset(p, path[last - 1]),
+            _ => p,
+        });
         // Within one column of pixels the lowest and the highest vertex make all the difference.
-        m4(path.iter().copied(), 1.0, |p| {
+        m4(vertices, 1.0, |p| {
             let to = self.pixel(p);
             let pixels = &mut self.pixels;
             if from != Some(to) {
@@ -200,6 +208,14 @@ impl Indexed {
     fn window(&self, clip: Option<Rect<Du>>) -> Window {
         Window::new(clip, self.layout.width, self.layout.height, false)
     }
+}
+
+/// The middle of the last pixel of a line that is cut off at its end: a dash of three pixels shall not take four.
+fn inset(end: DVec2, before: DVec2) -> DVec2 {
+    let back = before - end;
+    let length = back.abs().max_element();
+    // A little less than half a pixel, so that the line between the middles of two pixels takes both.
+    if length > 0.0 { end + back * (0.499 / length).min(0.5) } else { end }
 }
 
 fn rule(rule: Rule) -> path::Rule {
@@ -303,7 +319,7 @@ mod tests {
     use super::*;
     use gks_geometry::Vector;
     use gks_pipeline::colour::Paint;
-    use gks_pipeline::look::{Cap, Join};
+    use gks_pipeline::look::Join;
 
     const COLOURS: [Colour; 5] = [
         Colour::WHITE,
@@ -377,12 +393,34 @@ mod tests {
     }
 
     #[test]
+    fn dashes_take_as_many_pixels_as_they_are_long() {
+        let mut device = canvas(16.0, 5.0);
+        for (row, start) in [(0.5, 1.0), (1.5, 1.3), (2.5, 1.5), (3.5, 1.8)] {
+            for (from, to) in [(0.0, 1.0), (3.0, 6.0), (9.0, 11.0)] {
+                line(&mut device, &[(start + from, row), (start + to, row)], pen(1, 1.0));
+            }
+        }
+        line(&mut device, &[(12.5, 4.5), (1.5, 4.5)], pen(2, 1.0));
+        assert_eq!(
+            picture(&device),
+            [
+                ".1..111...11....",
+                ".1..111...11....",
+                ".11.1111..111...",
+                "..1..111...11...",
+                ".222222222222...",
+            ]
+        );
+    }
+
+    #[test]
     fn vertices_left_out_make_no_difference() {
         let wave: Vec<DVec2> = (0..3000)
             .map(|i| DVec2::new(0.013 * f64::from(i), 10.0 + 9.5 * (f64::from(i * i % 977) * 0.7).sin()))
             .collect();
         let mut device = canvas(40.0, 20.0);
-        draw(&mut device, Form::Lines(Paths::new(&wave, &[3000]), pen(1, 1.0)), None);
+        let round = Pen { cap: Cap::Round, ..pen(1, 1.0) };
+        draw(&mut device, Form::Lines(Paths::new(&wave, &[3000]), round), None);
         let mut expected = vec![0; 40 * 20];
         for pair in wave.windows(2) {
             let ends = [pair[0], pair[1]].map(|p| p.floor().as_ivec2());
