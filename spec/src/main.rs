@@ -10,6 +10,7 @@ mod function;
 mod header;
 mod numbers;
 mod tables;
+mod wrappers;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -30,6 +31,7 @@ const OUTPUTS: &[(&str, Generator)] = &[
     ("bindings/c/include/gks.h", header::generate),
     ("bindings/fortran/include/gks.inc", fortran_include::generate),
     ("bindings/fortran/include/gkspar.inc", fortran_include::generate_demonstration),
+    ("bindings/fortran/src/generated/unbuilt.rs", wrappers::generate),
 ];
 
 fn main() -> ExitCode {

@@ -26,6 +26,10 @@ pub struct Instance {
     pub gks: Gks,
     /// Where errors are logged.
     pub error_file: ErrorFile,
+    /// The dialect of the process.
+    pub dialect: Dialect,
+    /// The name of the next metafile, where a dialect has programs give it before OPEN WORKSTATION.
+    pub metafile_name: Option<String>,
     /// Error state ON: an error handler is running.
     handling: bool,
     /// The error that is being handled, with its detail, for the log.
@@ -61,7 +65,14 @@ fn create() -> Box<Instance> {
     gks.on_message(Box::new(|workstation, text| {
         eprintln!("GKS message on workstation {workstation}: {text}");
     }));
-    Box::new(Instance { gks, error_file: ErrorFile::Stderr, handling: false, current: None })
+    Box::new(Instance {
+        gks,
+        error_file: ErrorFile::Stderr,
+        dialect,
+        metafile_name: None,
+        handling: false,
+        current: None,
+    })
 }
 
 /// The error of a function that may not be called in the operating state. For bindings that find an argument

@@ -1,0 +1,55 @@
+//! Control: opening and closing, clearing and updating, messages.
+
+use crate::argument::{Character, Integer};
+use crate::call::{call_instance, subroutines};
+use crate::ncar;
+use gks::{Error, Function, OperatingState};
+use gks_instance::{ErrorFile, from_latin1};
+
+/// GOPKS: OPEN GKS. The number of memory units for the buffer area does not matter.
+#[unsafe(no_mangle)]
+extern "C" fn gopks_(errfil: Integer, _bufa: Integer) {
+    const F: Function = Function::OpenGks;
+    call_instance(F, |instance| {
+        let unit = errfil.get();
+        if unit < 0 && instance.gks.inquire_operating_state_value() == OperatingState::Gkcl {
+            return Err(Error::new(200, F).because(format!("unit {unit}")));
+        }
+        instance.open_gks(ErrorFile::from_unit(unit))
+    });
+}
+
+/// GOPWK: OPEN WORKSTATION.
+#[unsafe(no_mangle)]
+extern "C" fn gopwk_(wkid: Integer, conid: Integer, wtype: Integer) {
+    call_instance(Function::OpenWorkstation, |instance| {
+        ncar::open_workstation(instance, wkid.get(), conid.get(), wtype.get())
+    });
+}
+
+/// GECLKS: EMERGENCY CLOSE GKS. It is allowed while an error is being handled, too.
+#[unsafe(no_mangle)]
+extern "C" fn geclks_() {
+    // It is run as an inquiry because it reports nothing.
+    let _ = gks_instance::inquire(Function::EmergencyCloseGks, |gks| {
+        gks.emergency_close_gks();
+        Ok(())
+    });
+}
+
+subroutines! {
+    gclks_() CloseGks => gks::Gks::close_gks;
+    gclwk_(wkid: Integer) CloseWorkstation => |gks| gks.close_workstation(wkid.get());
+    gacwk_(wkid: Integer) ActivateWorkstation => |gks| gks.activate_workstation(wkid.get());
+    gdawk_(wkid: Integer) DeactivateWorkstation => |gks| gks.deactivate_workstation(wkid.get());
+    gclrwk_(wkid: Integer, cofl: Integer) ClearWorkstation
+        => |gks| gks.clear_workstation(wkid.get(), cofl.choice(F)?);
+    guwk_(wkid: Integer, regfl: Integer) UpdateWorkstation
+        => |gks| gks.update_workstation(wkid.get(), regfl.choice(F)?);
+    gsds_(wkid: Integer, defmod: Integer, regmod: Integer) SetDeferralState
+        => |gks| gks.set_deferral_state(wkid.get(), defmod.choice(F)?, regmod.choice(F)?);
+    gmsg_(wkid: Integer, mess: Character, length: usize) Message
+        => |gks| gks.message(wkid.get(), from_latin1(mess.slice(0, length)).trim_end());
+    gmsgs_(wkid: Integer, lstr: Integer, mess: Character, length: usize) Message
+        => |gks| gks.message(wkid.get(), &from_latin1(mess.slice(0, length.min(lstr.count()))));
+}
