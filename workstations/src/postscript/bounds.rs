@@ -1,6 +1,7 @@
 //! The bounding box of a page: the smallest rectangle around the ink of its marks.
 
 use crate::arc;
+use crate::pdf::sfnt;
 use gks_geometry::{Du, Paths, Point, Rect};
 use gks_pipeline::device::{Form, GlyphRun, Mark, Pen};
 use gks_pipeline::font::Verb;
@@ -85,55 +86,54 @@ impl Bounds {
         self.point(centre + DVec2::splat(radius));
     }
 
-    /// Takes in lines with their ends and corners. Where even the longest corners would change nothing, which
-    /// is so for most lines of a picture, they are not looked at.
+    /// Takes in lines with their ends and corners.
+    ///
+    /// The points themselves are taken in first. What is drawn around a point reaches only so far that most
+    /// points, well inside of the box by then, need not be looked at.
     fn lines(&mut self, paths: Paths<'_, Du>, pen: &Pen<'_>) {
-        let half = pen.width.max(0.0) * 0.5;
-        let reach = half * if pen.join == Join::Miter { MITER_LIMIT } else { std::f64::consts::SQRT_2 };
-        let around = paths.bounds().map(|rect| rect.grown(reach));
-        if self.0.zip(around).is_some_and(|(known, around)| known.contains_rect(&around)) {
-            return;
-        }
-        for path in paths.iter().filter(|path| !path.is_empty()) {
-            self.path(path, pen, half);
+        paths.points.iter().for_each(|p| self.point(*p));
+        for path in paths.iter() {
+            self.path(path, pen);
         }
     }
 
-    fn path(&mut self, path: &[DVec2], pen: &Pen<'_>, half: f64) {
-        let mut last = path[0];
+    fn path(&mut self, path: &[DVec2], pen: &Pen<'_>) {
+        let half = pen.width.max(0.0) * 0.5;
+        let reach = half * if pen.join == Join::Miter { MITER_LIMIT } else { std::f64::consts::SQRT_2 };
         let closed = path.len() > 3 && path.first() == path.last();
-        let mut first = None;
-        let mut before = None;
-        let end = |bounds: &mut Bounds, at: DVec2, outwards: DVec2| match pen.cap {
-            Cap::Butt => {}
-            Cap::Round => bounds.disc(at, half),
-            Cap::Projecting => {
-                bounds.point(at + (outwards + outwards.perp()) * half);
-                bounds.point(at + (outwards - outwards.perp()) * half);
+        let path = if closed { &path[1..] } else { path };
+        for (i, &p) in path.iter().enumerate() {
+            let inside = |known: Rect<Du>| known.grown(-reach).contains(Point::from_vec(p));
+            if self.0.is_some_and(inside) || (i > 0 && path[i - 1] == p) {
+                continue;
             }
-        };
-        for &next in &path[1..] {
-            let Some(along) = (next - last).try_normalize() else { continue };
-            match before {
-                None => {
-                    first = Some(along);
-                    if !closed {
-                        end(self, last, -along);
-                    }
-                }
-                Some(before) => self.corner(last, before, along, pen.join, half),
-            }
-            for p in [last, next] {
+            let around = if closed { path } else { &[] };
+            let earlier = path[..i].iter().rev().chain(around.iter().rev());
+            let later = path[i + 1..].iter().chain(around);
+            let before = earlier.map(|q| p - *q).find_map(DVec2::try_normalize);
+            let after = later.map(|q| *q - p).find_map(DVec2::try_normalize);
+            for along in before.iter().chain(&after) {
                 self.point(p + along.perp() * half);
                 self.point(p - along.perp() * half);
             }
-            before = Some(along);
-            last = next;
+            match (before, after) {
+                (Some(before), Some(after)) => self.corner(p, before, after, pen.join, half),
+                (Some(outwards), None) => self.end(p, outwards, pen.cap, half),
+                (None, Some(inwards)) => self.end(p, -inwards, pen.cap, half),
+                (None, None) => self.disc(p, half),
+            }
         }
-        match (before, first) {
-            (Some(before), Some(first)) if closed => self.corner(last, before, first, pen.join, half),
-            (Some(along), _) => end(self, last, along),
-            (None, _) => self.disc(last, half),
+    }
+
+    /// Takes in the end of a line.
+    fn end(&mut self, at: DVec2, outwards: DVec2, cap: Cap, half: f64) {
+        match cap {
+            Cap::Butt => {}
+            Cap::Round => self.disc(at, half),
+            Cap::Projecting => {
+                self.point(at + (outwards + outwards.perp()) * half);
+                self.point(at + (outwards - outwards.perp()) * half);
+            }
         }
     }
 
@@ -174,9 +174,7 @@ impl Bounds {
                 line.push(first);
             }
         }
-        if !line.is_empty() {
-            self.path(&line, pen, half);
-        }
+        self.path(&line, pen);
     }
 
     /// Takes in the area that a curve encloses.
@@ -213,8 +211,14 @@ impl Bounds {
     }
 
     fn text(&mut self, run: &GlyphRun<'_>) {
+        let [left, bottom, right, top] = sfnt::bounds(run.face);
+        let corners = [(left, bottom), (right, bottom), (right, top), (left, top)].map(DVec2::from);
         for glyph in run.glyphs {
             let place = |p: DVec2| glyph.origin.0 + run.x.0 * p.x + run.y.0 * p.y;
+            let inside = |known: Rect<Du>| corners.iter().all(|p| known.contains(Point::from_vec(place(*p))));
+            if self.0.is_some_and(inside) {
+                continue;
+            }
             let mut last = DVec2::ZERO;
             for verb in &run.face.outline(glyph.id).verbs {
                 let cubic = match *verb {

@@ -120,6 +120,17 @@ fn text_is_text() {
 }
 
 #[test]
+fn same_marks_give_the_same_bytes() {
+    let draw = || {
+        document(&Options::default(), 2, |_, pdf| {
+            card(pdf);
+            card::texts(pdf);
+        })
+    };
+    assert!(draw() == draw());
+}
+
+#[test]
 fn translucent_marks_and_cells() {
     let document = document(&Options::default(), 1, |_, pdf| {
         let half = translucent(paint(1.0, 0.0, 0.0), 0.5);
