@@ -11,6 +11,7 @@ mod header;
 mod numbers;
 mod tables;
 mod wrappers;
+mod wrappers_c;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -29,6 +30,7 @@ const OUTPUTS: &[(&str, Generator)] = &[
     ("kernel/pipeline/src/generated/mod.rs", |_| module("Copied out of `spec/numbers.toml`.", &["numbers"])),
     ("kernel/pipeline/src/generated/numbers.rs", numbers::generate),
     ("bindings/c/include/gks.h", header::generate),
+    ("bindings/c/src/generated/unbuilt.rs", wrappers_c::generate),
     ("bindings/fortran/include/gks.inc", fortran_include::generate),
     ("bindings/fortran/include/gkspar.inc", fortran_include::generate_demonstration),
     ("bindings/fortran/src/generated/unbuilt.rs", wrappers::generate),

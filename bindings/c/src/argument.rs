@@ -1,7 +1,7 @@
 //! Arguments of C functions: pointers to what they read and set, text, and the calls of the kernel.
 
 use crate::error::report;
-use crate::types::{Gint, Gint_list};
+use crate::types::{Gint, Gint_list, Gpoint_list};
 use gks::{Error, Function, Gks};
 use std::borrow::Cow;
 use std::ffi::{CStr, c_char};
@@ -112,6 +112,14 @@ impl<T> Out<T> {
         }
     }
 
+    /// Sets the value to zero.
+    pub(crate) fn clear(self) {
+        if !self.0.is_null() {
+            // SAFETY: the contract of the crate; all types of the binding have zero as a value.
+            unsafe { self.0.write_bytes(0, 1) }
+        }
+    }
+
     /// The value that the program has set before the call.
     pub(crate) fn get(self) -> Option<T>
     where
@@ -141,6 +149,14 @@ impl<T> Out<*mut T> {
     /// The array that a member of a structure of the program points to.
     pub(crate) fn target(self) -> Out<T> {
         Out(self.get().unwrap_or(std::ptr::null_mut()))
+    }
+}
+
+impl Out<Gpoint_list> {
+    /// The number of points of a list.
+    pub(crate) fn count(self) -> Out<Gint> {
+        // SAFETY: the address of a member of a structure that is there.
+        self.member(|list| unsafe { &raw mut (*list).num_points })
     }
 }
 

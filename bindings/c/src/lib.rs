@@ -24,6 +24,11 @@ mod output;
 mod store;
 mod transformation;
 mod types;
+mod unbuilt;
+mod generated {
+    #[rustfmt::skip]
+    mod unbuilt;
+}
 
 // The Fortran binding is part of the library: its functions are exported by their own names.
 use gks_fortran as _;

@@ -123,6 +123,16 @@ structures! {
         line_bundle: Gint, marker_bundle: Gint, text_bundle: Gint, fill_bundle: Gint,
         pat_rep: Gint, colr_rep: Gint, ws_tran: Gint,
     }
+    /// How changes of segments become visible.
+    Gdyn_mod_seg_attrs {
+        tran: Gint, vis_invis: Gint, invis_vis: Gint, highl: Gint, pri: Gint, add: Gint, del: Gint,
+    }
+    /// The attributes of a segment.
+    Gseg_attrs { tran: Gtran_matrix, vis: Gint, highl: Gint, pri: Gdouble, det: Gint }
+    /// What has been picked.
+    Gpick { seg_name: Gint, pick_id: Gint }
+    /// Numbers of input devices.
+    Gnum_in { loc: Gint, stroke: Gint, val: Gint, choice: Gint, pick: Gint, string: Gint }
 }
 
 /// The aspect source flags in the order of the standard, which is that of the structure's members.
