@@ -18,6 +18,7 @@ mod attributes;
 mod control;
 mod error;
 mod escape;
+mod frame_buffer;
 mod inquiry;
 mod metafile;
 mod output;

@@ -196,9 +196,26 @@ impl Gks {
     /// workstation, 40.
     fn readable(&mut self, function: Function, id: i32, p: Point<Wc>) -> Result<((f64, f64), ReadBack<'_>)> {
         let at = self.inquired(function, id)?.workstation.pixel_at(self.normalization.map.point(p));
+        Ok((at, self.read_back(function, id)?))
+    }
+
+    fn read_back(&mut self, function: Function, id: i32) -> Result<ReadBack<'_>> {
+        self.inquired(function, id)?;
         let open = self.workstations.get_mut(&id);
         let read = open.and_then(|open| open.workstation.read_back());
-        Ok((at, read.ok_or_else(|| Error::new(40, function))?))
+        read.ok_or_else(|| Error::new(40, function))
+    }
+
+    /// The numbers of columns and rows of the pixels of a workstation, and their colours row by row from the
+    /// top. Beyond the standard, for programs that show or keep pictures themselves.
+    ///
+    /// Errors: 7, 20, 25, 39, 40 (pixels cannot be read back).
+    pub fn frame_buffer(&mut self, id: i32) -> Result<((u32, u32), impl Iterator<Item = Colour>)> {
+        let ReadBack { buffer, tables, size } = self.read_back(Function::InquirePixelArray, id)?;
+        let background = tables.colours.get(0).unwrap_or(Colour::WHITE);
+        let colour = move |column, row| buffer.and_then(|b| b.colour(column, row)).unwrap_or(background);
+        let row = move |row| (0..size.0).map(move |column| colour(column, row));
+        Ok((size, (0..size.1).flat_map(row)))
     }
 }
 
@@ -296,6 +313,23 @@ mod tests {
         assert_eq!(array.indices[..10], row);
         let all = gks.inquire_pixel_array(1, (7.5, 499.5), 1, 1).unwrap();
         assert_eq!((all.indices, all.invalid), (vec![300], false));
+    }
+
+    #[test]
+    fn the_frame_buffer_is_read_row_by_row() {
+        let mut gks = drawn(TRUE_COLOUR);
+        let (size, colours) = gks.frame_buffer(1).unwrap();
+        let colours: Vec<Colour> = colours.collect();
+        assert_eq!((size, colours.len()), ((1000, 500), 500_000));
+        for (column, row) in [(0, 0), (999, 0), (0, 1), (200, 499)] {
+            let level = held(column, row) as f32 / 255.0;
+            assert_eq!(colours[(row * 1000 + column) as usize], Colour::rgb(level, level, level));
+        }
+        let (mut gks, _) = open(&[TRUE_COLOUR, PLAIN]);
+        gks.set_colour_representation(1, 0, (0.0, 0.5, 1.0)).unwrap();
+        assert!(gks.frame_buffer(1).unwrap().1.all(|colour| colour == Colour::rgb(0.0, 0.5, 1.0)));
+        assert_eq!(gks.frame_buffer(2).map(|(size, _)| size).map_err(|e| e.number), Err(40));
+        assert_eq!(closed().frame_buffer(1).map(|(size, _)| size).map_err(|e| e.number), Err(7));
     }
 
     #[test]
