@@ -8,6 +8,7 @@
 pub(crate) mod content;
 mod document;
 mod font;
+mod hint;
 pub(crate) mod image;
 pub(crate) mod run;
 pub(crate) mod sfnt;

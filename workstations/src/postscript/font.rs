@@ -257,3 +257,48 @@ impl Line {
         *self = Line::default();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gks_pipeline::font::{Face, face};
+
+    fn table(tag: [u8; 4], data: Vec<u8>) -> Table {
+        Table { tag, data }
+    }
+
+    #[test]
+    fn long_tables_are_cut_between_characters() {
+        let mut head = vec![0; 54];
+        head[51] = 1;
+        let offsets = (0..=150_u32).flat_map(|i| (i * 1000).to_be_bytes()).collect();
+        let outlines = (0..150_000_u32).map(|i| (i / 1000) as u8).collect();
+        let tables = [
+            table(*b"glyf", outlines),
+            table(*b"head", head),
+            table(*b"loca", offsets),
+            table(*b"maxp", vec![7; 6]),
+        ];
+        let parts = parts(&tables);
+        assert_eq!(parts.concat(), sfnt::file(&tables));
+        let lengths: Vec<usize> = parts.iter().map(Vec::len).collect();
+        assert!(lengths.iter().all(|length| *length <= LONGEST_PART), "{lengths:?}");
+        assert_eq!(lengths[1..3], [65_000, 65_000]);
+        let short = &tables[1..];
+        assert_eq!(super::parts(short), [sfnt::file(short)]);
+    }
+
+    #[test]
+    fn ascii_keeps_its_codes_and_names_are_unique() {
+        let Some(Face::Outline(sans)) = face(-21) else { panic!("font -21 is an outline face") };
+        let mut font = Font::new(sans);
+        let codes: Vec<u8> = [(10, "A"), (11, "é"), (12, "A"), (13, "fi"), (14, "😀")]
+            .map(|(glyph, shown)| font.add(glyph, shown).unwrap())
+            .into();
+        assert_eq!(codes, [65, 128, 129, 130, 131]);
+        let names: Vec<&str> = font.encoding.values().map(|(_, name)| name.as_str()).collect();
+        assert_eq!(names, [".notdef", "uni0041", "uni00E9", "g12", "g13", "u1F600"]);
+        let more = (100..).map_while(|glyph| font.add(glyph, "")).count();
+        assert_eq!(more, 250);
+    }
+}
