@@ -1,7 +1,8 @@
 //! Output attributes that belong to no workstation.
 
 use crate::argument::{Integer, Real, choice};
-use crate::call::subroutines;
+use crate::call::{call, subroutines};
+use crate::ncar;
 use gks::Function;
 use gks_pipeline::look::AspectSourceFlags;
 
@@ -27,14 +28,20 @@ subroutines! {
     gstxal_(txalh: Integer, txalv: Integer) SetTextAlignment
         => |gks| gks.set_text_alignment(txalh.choice(F)?, txalv.choice(F)?);
     gsfai_(fai: Integer) SetFillAreaIndex => |gks| gks.set_fill_area_index(fai.get());
-    gsfais_(ints: Integer) SetFillAreaInteriorStyle
-        => |gks| gks.set_fill_area_interior_style(ints.choice(F)?);
     gsfasi_(styli: Integer) SetFillAreaStyleIndex => |gks| gks.set_fill_area_style_index(styli.get());
     gsfaci_(coli: Integer) SetFillAreaColourIndex => |gks| gks.set_fill_area_colour_index(coli.get());
     gspa_(szx: Real, szy: Real) SetPatternSize => |gks| gks.set_pattern_size(szx.real(), szy.real());
     gsparf_(rfx: Real, rfy: Real) SetPatternReferencePoint
         => |gks| gks.set_pattern_reference_point((rfx.real(), rfy.real()));
     gsasf_(lasf: Integer) SetAspectSourceFlags => |gks| gks.set_aspect_source_flags(flags(F, lasf)?);
+}
+
+/// GSFAIS: SET FILL AREA INTERIOR STYLE.
+#[unsafe(no_mangle)]
+extern "C" fn gsfais_(ints: Integer) {
+    const F: Function = Function::SetFillAreaInteriorStyle;
+    let style = ncar::interior_style(ints.get());
+    call(F, |gks| gks.set_fill_area_interior_style(choice(style, F)?));
 }
 
 /// The thirteen aspect source flags.

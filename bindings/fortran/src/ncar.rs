@@ -8,6 +8,7 @@ use crate::unbuilt::refusal;
 use gks::{Function, Gks};
 use gks_geometry::{Map, Ndc, Point, Wc};
 use gks_instance::{Dialect, from_latin1};
+use gks_pipeline::look::InteriorStyle;
 
 /// The workstation type of a metafile.
 const METAFILE: i32 = 1;
@@ -15,8 +16,16 @@ const METAFILE: i32 = 1;
 /// The ESCAPE that gives the name of the next metafile.
 const METAFILE_NAME: i32 = -1391;
 
+/// The interior style in which the utilities fill the outlines of characters.
+const SOLID_TEXT: i32 = 4;
+
 fn is_active() -> bool {
     gks_instance::with(|instance| instance.dialect == Dialect::Ncar)
+}
+
+/// The interior style that a program means by a number: characters are filled as everything else is.
+pub(crate) fn interior_style(number: i32) -> i32 {
+    if number == SOLID_TEXT && is_active() { InteriorStyle::Solid as i32 } else { number }
 }
 
 /// ESCAPE with one of the identifiers of NCAR Graphics; nothing happens for another one. Whether it was one.

@@ -1,0 +1,226 @@
+//! The Fortran binding, by programs that check themselves, compiled with gfortran and linked with `libgks`.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::sync::OnceLock;
+
+/// How a program takes the library.
+#[derive(Copy, Clone, Debug)]
+enum Linking {
+    Shared,
+    Static,
+}
+
+fn repository() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the tests lie in a folder of the repository")
+}
+
+/// The folder of `libgks`, which is built if it is not up to date.
+fn library() -> &'static Path {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    FOLDER.get_or_init(|| {
+        let built = Command::new(env!("CARGO"))
+            .args(["build", "--quiet", "--package", "gks-c", "--message-format", "json"])
+            .current_dir(repository())
+            .output()
+            .expect("cargo runs");
+        assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+        // The report of cargo names the files of each package that it built or found up to date.
+        let report = String::from_utf8_lossy(&built.stdout);
+        let files = report.split('"').filter(|word| word.ends_with("/libgks.a"));
+        let file = files.last().expect("cargo reports the library");
+        Path::new(file).parent().expect("the library lies in a folder").to_owned()
+    })
+}
+
+/// Whether there is a Fortran compiler; says loudly if there is none.
+fn has_compiler() -> bool {
+    let found = Command::new("gfortran").arg("--version").output().is_ok();
+    if !found {
+        // Not a macro, whose text would be shown for failed tests only.
+        let _ = std::io::stderr().write_all(b"\nSKIPPED: gfortran is not installed\n");
+    }
+    found
+}
+
+/// An empty folder for the files of a program.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fortran").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder for the program");
+    folder
+}
+
+/// Compiles a program of `programs/f` from its sources, the first of which gives the name.
+fn compile(folder: &Path, sources: &[&str], linking: Linking) -> PathBuf {
+    let library = library();
+    let program = folder.join(sources[0]);
+    let mut compiler = Command::new("gfortran");
+    compiler.args(["-std=f2008", "-fimplicit-none", "-ffixed-form", "-O1"]);
+    compiler.arg("-I").arg(repository().join("bindings/fortran/include")).arg("-o").arg(&program);
+    for source in sources {
+        compiler.arg(repository().join("tests/programs/f").join(source).with_extension("f"));
+    }
+    match linking {
+        Linking::Shared => {
+            compiler.arg("-L").arg(library).arg("-lgks").arg(format!("-Wl,-rpath,{}", library.display()))
+        }
+        Linking::Static => compiler.arg(library.join("libgks.a")).args(["-lm", "-lpthread", "-ldl"]),
+    };
+    let compiled = compiler.output().expect("gfortran runs");
+    assert!(compiled.status.success(), "{sources:?}: {}", String::from_utf8_lossy(&compiled.stderr));
+    program
+}
+
+/// Runs a program in its folder, without what the environment of the tests says to GKS.
+fn run(program: &Path, environment: &[(&str, &str)]) -> Output {
+    let mut command = Command::new(program);
+    for (name, _) in std::env::vars().filter(|(name, _)| name.starts_with("GKS_")) {
+        command.env_remove(name);
+    }
+    command.current_dir(program.parent().expect("a program lies in a folder"));
+    command.envs(environment.iter().copied()).output().expect("the program runs")
+}
+
+/// Compiles and runs a program that checks itself, and gives the folder with the files that it wrote.
+fn passes(sources: &[&str], linking: Linking, environment: &[(&str, &str)]) -> Option<PathBuf> {
+    if !has_compiler() {
+        return None;
+    }
+    let folder = folder(&format!("{}-{linking:?}", sources[0]));
+    let sources = [sources, &["check"]].concat();
+    let output = run(&compile(&folder, &sources, linking), environment);
+    let text = String::from_utf8_lossy(&output.stdout);
+    let errors = String::from_utf8_lossy(&output.stderr);
+    let is_good = output.status.success() && text.trim_end().ends_with("good");
+    assert!(is_good, "{sources:?} {linking:?}, {}:\n{text}{errors}", output.status);
+    Some(folder)
+}
+
+fn passes_shared(sources: &[&str]) {
+    passes(sources, Linking::Shared, &[]);
+}
+
+#[test]
+fn attributes_are_inquired_as_they_are_set() {
+    passes_shared(&["attributes"]);
+}
+
+#[test]
+fn arguments_outside_of_their_enumerations_are_refused() {
+    passes_shared(&["enumerations", "recorder"]);
+}
+
+#[test]
+fn lists_are_inquired_by_element() {
+    passes_shared(&["lists"]);
+}
+
+#[test]
+fn text_is_taken_as_it_is() {
+    passes_shared(&["strings"]);
+}
+
+#[test]
+fn data_records_are_packed_and_unpacked() {
+    passes_shared(&["data_records", "recorder"]);
+}
+
+#[test]
+fn parts_of_arrays_are_drawn_and_read_back() {
+    passes_shared(&["pixels", "recorder"]);
+}
+
+#[test]
+fn what_is_not_built_says_so() {
+    passes_shared(&["unbuilt", "recorder"]);
+}
+
+#[test]
+fn an_error_handler_of_the_program_wins() {
+    for linking in [Linking::Shared, Linking::Static] {
+        let Some(folder) = passes(&["handler"], linking, &[]) else { return };
+        let log = fs::read_to_string(folder.join("fort.19")).expect("the handler logs");
+        assert_eq!(log.matches("GKS ERROR 92 IN SET POLYLINE COLOUR INDEX").count(), 1, "{log}");
+        assert_eq!(log.lines().count(), 1, "{log}");
+    }
+}
+
+#[test]
+fn an_error_logger_of_the_program_wins() {
+    for linking in [Linking::Shared, Linking::Static] {
+        let Some(folder) = passes(&["logger"], linking, &[]) else { return };
+        assert!(!folder.join("fort.19").exists(), "the library has logged too");
+    }
+}
+
+#[test]
+fn errors_are_logged_in_the_error_file() {
+    for linking in [Linking::Shared, Linking::Static] {
+        if !has_compiler() {
+            return;
+        }
+        let folder = folder(&format!("logged-{linking:?}"));
+        let output = run(&compile(&folder, &["logged", "check"], linking), &[]);
+        let starts = |text: &str| -> Vec<String> {
+            text.lines().map(|line| line.split(':').next().unwrap_or_default().trim().to_owned()).collect()
+        };
+        assert_eq!(
+            starts(&String::from_utf8_lossy(&output.stderr)),
+            ["GKS ERROR 2 IN CLOSE GKS", "GKS ERROR 200 IN OPEN GKS"]
+        );
+        assert_eq!(
+            starts(&String::from_utf8_lossy(&output.stdout)),
+            ["GKS ERROR 69 IN SET MARKER TYPE", "good"]
+        );
+        let log = fs::read_to_string(folder.join("fort.23")).expect("the error file");
+        assert_eq!(starts(&log), ["GKS ERROR 63 IN SET LINETYPE", "GKS ERROR 78 IN SET CHARACTER HEIGHT"]);
+        assert!(log.contains("(value -1.5)"), "{log}");
+    }
+}
+
+#[test]
+fn a_program_that_closes_nothing_leaves_a_complete_picture() {
+    if !has_compiler() {
+        return;
+    }
+    let folder = folder("forgotten");
+    let output = run(&compile(&folder, &["forgotten"], Linking::Shared), &[]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let picture = fs::read_to_string(folder.join("gks.5.svg")).expect("the picture");
+    assert!(picture.trim_end().ends_with("</svg>"), "{picture}");
+}
+
+#[test]
+fn utilities_of_ncar_graphics_find_what_they_expect() {
+    let environment = [("GKS_DIALECT", "ncar"), ("GKS_WSTYPE", "svg")];
+    let Some(folder) = passes(&["ncar", "recorder"], Linking::Shared, &environment) else { return };
+    let files = fs::read_dir(&folder).expect("the folder of the program");
+    let names: BTreeMap<String, u64> = files
+        .filter_map(|file| file.ok())
+        .filter(|file| file.path().extension().is_some_and(|e| e == "svg"))
+        .map(|file| (file.file_name().to_string_lossy().into_owned(), file.metadata().map_or(0, |m| m.len())))
+        .collect();
+    assert_eq!(names.keys().collect::<Vec<_>>(), ["gks.2.svg", "named.svg"]);
+    assert!(names.values().all(|&length| length > 100), "{names:?}");
+}
+
+/// Every subroutine of the table is a symbol of the shared library.
+#[test]
+fn every_name_of_the_standard_is_there() {
+    let library = fs::read(library().join("libgks.so")).expect("the shared library");
+    let has = |symbol: &str| {
+        let name = format!("\0{symbol}_\0");
+        library.windows(name.len()).any(|bytes| bytes == name.as_bytes())
+    };
+    let names: Vec<String> =
+        gks::Function::ALL.iter().flat_map(|f| f.fortran()).map(|n| n.to_lowercase()).collect();
+    assert_eq!(names.len(), 220);
+    let missing: Vec<_> = names.iter().filter(|name| !has(name)).collect();
+    assert!(missing.is_empty(), "{missing:?}");
+    assert!(has("gzw2nx") && has("gzw2ny"));
+    assert!(!has("gxxxxx"));
+}
