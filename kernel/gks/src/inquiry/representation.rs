@@ -86,11 +86,16 @@ macro_rules! representations {
             pub fn $name(&self, id: i32, index: i32, value: ValueType) -> Result<$bundle> {
                 const F: Function = Function::$function;
                 let workstation = &self.inquired(F, id)?.workstation;
-                let set = *entry(F, &workstation.tables().$table, index, $errors)?;
-                Ok(match value {
-                    ValueType::Set => set,
-                    ValueType::Realized => workstation.$realized(set),
-                })
+                let table = &workstation.tables().$table;
+                let set = entry(F, table, index, $errors);
+                match value {
+                    ValueType::Set => set.copied(),
+                    // An index without a representation is drawn as index 1.
+                    ValueType::Realized => {
+                        let drawn = set.or_else(|e| table.get(&1).filter(|_| index > 1).ok_or(e))?;
+                        Ok(workstation.$realized(*drawn))
+                    }
+                }
             }
         )+ }
     };
@@ -99,21 +104,25 @@ macro_rules! representations {
 representations! {
     /// INQUIRE POLYLINE REPRESENTATION.
     ///
-    /// Errors: 7, 20, 25, 33 (MI), 35 (INPUT), 36 (WISS), 60 (index below 1), 61 (no representation).
+    /// Errors: 7, 20, 25, 33 (MI), 35 (INPUT), 36 (WISS), 60 (index below 1), 61 (no representation;
+    /// only for the value as it was set: an index without one is drawn as index 1).
     inquire_polyline_representation -> LineBundle, InquirePolylineRepresentation
         => lines, realized_line, [60, 61];
     /// INQUIRE POLYMARKER REPRESENTATION.
     ///
-    /// Errors: 7, 20, 25, 33 (MI), 35 (INPUT), 36 (WISS), 66 (index below 1), 67 (no representation).
+    /// Errors: 7, 20, 25, 33 (MI), 35 (INPUT), 36 (WISS), 66 (index below 1), 67 (no representation;
+    /// only for the value as it was set: an index without one is drawn as index 1).
     inquire_polymarker_representation -> MarkerBundle, InquirePolymarkerRepresentation
         => markers, realized_marker, [66, 67];
     /// INQUIRE TEXT REPRESENTATION.
     ///
-    /// Errors: 7, 20, 25, 33 (MI), 35 (INPUT), 36 (WISS), 72 (index below 1), 73 (no representation).
+    /// Errors: 7, 20, 25, 33 (MI), 35 (INPUT), 36 (WISS), 72 (index below 1), 73 (no representation;
+    /// only for the value as it was set: an index without one is drawn as index 1).
     inquire_text_representation -> TextBundle, InquireTextRepresentation => texts, realized_text, [72, 73];
     /// INQUIRE FILL AREA REPRESENTATION.
     ///
-    /// Errors: 7, 20, 25, 33 (MI), 35 (INPUT), 36 (WISS), 80 (index below 1), 81 (no representation).
+    /// Errors: 7, 20, 25, 33 (MI), 35 (INPUT), 36 (WISS), 80 (index below 1), 81 (no representation;
+    /// only for the value as it was set: an index without one is drawn as index 1).
     inquire_fill_area_representation -> FillBundle, InquireFillAreaRepresentation
         => fills, realized_fill, [80, 81];
 }
@@ -273,6 +282,17 @@ mod tests {
     #[test]
     fn value_types_have_the_numbers_of_the_bindings() {
         assert_eq!([0, 1, 2].map(ValueType::from_number), [Some(Set), Some(Realized), None]);
-        assert_eq!(number(open(&[PLAIN]).0.inquire_polyline_representation(1, 6, Realized)), 61);
+    }
+
+    #[test]
+    fn an_index_without_a_representation_is_realized_as_index_1() {
+        let (mut gks, _) = open(&[PLAIN]);
+        gks.set_polyline_representation(1, 1, 3, 2.0, 4).unwrap();
+        let first = gks.inquire_polyline_representation(1, 1, Realized);
+        assert_eq!(gks.inquire_polyline_representation(1, 30, Realized), first);
+        assert_eq!(number(gks.inquire_polyline_representation(1, 30, Set)), 61);
+        assert_eq!(number(gks.inquire_polyline_representation(1, 0, Realized)), 60);
+        let first = gks.inquire_fill_area_representation(1, 1, Realized);
+        assert_eq!(gks.inquire_fill_area_representation(1, 30, Realized), first);
     }
 }
