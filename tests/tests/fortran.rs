@@ -30,8 +30,8 @@ fn library() -> &'static Path {
         assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
         // The report of cargo names the files of each package that it built or found up to date.
         let report = String::from_utf8_lossy(&built.stdout);
-        let files = report.split('"').filter(|word| word.ends_with("/libgks.a"));
-        let file = files.last().expect("cargo reports the library");
+        let mut files = report.split('"').filter(|word| word.ends_with("/libgks.a"));
+        let file = files.next_back().expect("cargo reports the library");
         Path::new(file).parent().expect("the library lies in a folder").to_owned()
     })
 }
@@ -200,7 +200,7 @@ fn utilities_of_ncar_graphics_find_what_they_expect() {
     let Some(folder) = passes(&["ncar", "recorder"], Linking::Shared, &environment) else { return };
     let files = fs::read_dir(&folder).expect("the folder of the program");
     let names: BTreeMap<String, u64> = files
-        .filter_map(|file| file.ok())
+        .filter_map(Result::ok)
         .filter(|file| file.path().extension().is_some_and(|e| e == "svg"))
         .map(|file| (file.file_name().to_string_lossy().into_owned(), file.metadata().map_or(0, |m| m.len())))
         .collect();
@@ -217,7 +217,7 @@ fn every_name_of_the_standard_is_there() {
         library.windows(name.len()).any(|bytes| bytes == name.as_bytes())
     };
     let names: Vec<String> =
-        gks::Function::ALL.iter().flat_map(|f| f.fortran()).map(|n| n.to_lowercase()).collect();
+        gks::Function::ALL.iter().flat_map(|f| f.fortran()).map(|name| name.to_lowercase()).collect();
     assert_eq!(names.len(), 220);
     let missing: Vec<_> = names.iter().filter(|name| !has(name)).collect();
     assert!(missing.is_empty(), "{missing:?}");

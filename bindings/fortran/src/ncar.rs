@@ -3,7 +3,7 @@
 use crate::answer::{answer, element};
 use crate::argument::{Character, Integer, Real};
 use crate::call::{call_instance, check_state};
-use crate::data_record::lines;
+use crate::data_record::LINE;
 use crate::unbuilt::refusal;
 use gks::{Function, Gks};
 use gks_geometry::{Map, Ndc, Point, Wc};
@@ -15,6 +15,9 @@ const METAFILE: i32 = 1;
 
 /// The ESCAPE that gives the name of the next metafile.
 const METAFILE_NAME: i32 = -1391;
+
+/// The ESCAPE that saves and restores attributes.
+const ATTRIBUTES: i32 = -1388;
 
 /// The interior style in which the utilities fill the outlines of characters.
 const SOLID_TEXT: i32 = 4;
@@ -28,11 +31,12 @@ pub(crate) fn interior_style(number: i32) -> i32 {
     if number == SOLID_TEXT && is_active() { InteriorStyle::Solid as i32 } else { number }
 }
 
-/// ESCAPE with one of the identifiers of NCAR Graphics; nothing happens for another one. Whether it was one.
+/// ESCAPE with one of the identifiers of NCAR Graphics, a record and its length; nothing happens for another
+/// identifier. Whether it was one.
 ///
-/// All but the name of a metafile are without effect. Output records are left alone: programs pass constants
-/// for their lengths.
-pub(crate) fn escape(identifier: i32, lidr: Integer, idr: Character) -> bool {
+/// All but the name of a metafile are without effect. Output records are left alone, since programs pass
+/// constants for their lengths, but for that of saved attributes, which is read back: it is blank.
+pub(crate) fn escape(identifier: i32, idr: (Character, usize), mlodr: Integer, odr: Character) -> bool {
     const F: Function = Function::Escape;
     if !(matches!(identifier, -1402..=-1386 | -1532..=-1510) && is_active()) {
         return false;
@@ -40,8 +44,11 @@ pub(crate) fn escape(identifier: i32, lidr: Integer, idr: Character) -> bool {
     call_instance(F, |instance| {
         check_state(&instance.gks, F)?;
         if identifier == METAFILE_NAME {
-            let name = from_latin1(lines(lidr, idr).as_flattened()).trim().to_owned();
+            let name = from_latin1(idr.0.slice(0, idr.1)).trim().to_owned();
             instance.metafile_name = Some(name).filter(|name| !name.is_empty());
+        }
+        if identifier == ATTRIBUTES {
+            odr.fill(mlodr.count() * LINE, b' ');
         }
         Ok(())
     });

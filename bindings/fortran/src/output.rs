@@ -74,11 +74,12 @@ extern "C" fn gesc_(
     mlodr: Integer,
     lodr: Integer,
     odr: Character,
-    _idr_length: usize,
+    idr_length: usize,
     _odr_length: usize,
 ) {
     const F: Function = Function::Escape;
-    if ncar::escape(fctid.get(), lidr, idr) {
+    let length = lidr.count().saturating_mul(idr_length);
+    if ncar::escape(fctid.get(), (idr, length), mlodr, odr) {
         return;
     }
     let packed = call(F, |gks| {

@@ -15,8 +15,13 @@ C     What the utilities of NCAR Graphics expect in their dialect.
 
 C     The length of the output record is a constant.
       NAME = 'named'
-      CALL GESC(-1391, 1, NAME, 1, 1, NONE)
+      CALL GESC(-1391, 1, NAME(1:5), 1, 1, NONE)
       CALL GESC(-1512, 1, NAME, 1, 1, NONE)
+      NONE = 'untouched'
+      CALL GESC(-1390, 1, NAME, 1, 1, NONE)
+      CALL WANTC('record of GESC', NONE, 'untouched')
+      CALL GESC(-1388, 1, '    2', 1, I, NONE)
+      CALL WANTC('saved attributes', NONE, ' ')
       CALL WANTE('GESC', 0, 0)
       CALL GOPWK(1, 2, 1)
       CALL GACWK(1)
