@@ -4,6 +4,7 @@
 //! generated files that are not up to date, and ends with status 1 if it finds any.
 
 mod check;
+mod coverage;
 mod error_text;
 mod fortran_include;
 mod function;
@@ -29,6 +30,10 @@ const OUTPUTS: &[(&str, Generator)] = &[
     ("kernel/gks/src/generated/error_text.rs", error_text::generate),
     ("kernel/pipeline/src/generated/mod.rs", |_| module("Copied out of `spec/numbers.toml`.", &["numbers"])),
     ("kernel/pipeline/src/generated/numbers.rs", numbers::generate),
+    ("bindings/cli/src/generated/mod.rs", |_| {
+        module("Copied out of the tables in `spec` and the sources.", &["coverage"])
+    }),
+    ("bindings/cli/src/generated/coverage.rs", coverage::generate),
     ("bindings/c/include/gks.h", header::generate),
     ("bindings/c/src/generated/unbuilt.rs", wrappers_c::generate),
     ("bindings/fortran/include/gks.inc", fortran_include::generate),
