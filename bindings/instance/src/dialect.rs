@@ -17,6 +17,11 @@ pub enum Dialect {
     Gr,
 }
 
+/// The outline fonts that NCAR's PostScript, PDF and window workstations show in the place of its stroke fonts,
+/// where one has the same characters: sans for the simplex, serif for the complex and triplex families.
+const NCAR_SUBSTITUTES: &[(i32, i32)] =
+    &[(1, -21), (-2, -21), (-4, -21), (-7, -25), (-10, -27), (-12, -22), (-13, -26), (-14, -28)];
+
 impl Dialect {
     /// The dialect with a name, in any case; none for an unknown name.
     pub fn from_name(name: &str) -> Option<Self> {
@@ -44,6 +49,7 @@ impl Dialect {
         if self == Dialect::Ncar {
             // NCAR's utilities save and restore the interior style and rely on this initial value.
             defaults.look.fill.interior = InteriorStyle::Solid;
+            defaults.substitutes = NCAR_SUBSTITUTES;
         }
         defaults
     }

@@ -58,7 +58,8 @@ impl Gks {
             };
             Error::new(number, F).because(e.to_string())
         })?;
-        let workstation = Workstation::new(device, description, Tables::predefined());
+        let tables = Tables { substitutes: self.defaults.substitutes, ..Tables::predefined() };
+        let workstation = Workstation::new(device, description, tables);
         let connection = connection.to_owned();
         self.workstations.insert(id, OpenWorkstation { workstation, connection, kind, active: false });
         if self.state == OperatingState::Gkop {

@@ -48,12 +48,15 @@ pub(crate) struct OpenWorkstation {
 pub struct Defaults {
     /// The attributes that OPEN GKS sets.
     pub look: Look,
+    /// Fonts that every workstation draws with another one in their place: pairs of a font number and its
+    /// substitute.
+    pub substitutes: &'static [(i32, i32)],
 }
 
 impl Default for Defaults {
     /// The library's own choice: aspect source flags INDIVIDUAL, interior style HOLLOW.
     fn default() -> Self {
-        Defaults { look: Look::default() }
+        Defaults { look: Look::default(), substitutes: &[] }
     }
 }
 

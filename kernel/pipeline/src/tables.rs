@@ -33,6 +33,8 @@ pub struct Tables {
     pub patterns: BTreeMap<u32, Pattern>,
     /// Colours by colour index; 0 is the background.
     pub colours: Colours,
+    /// Fonts that are drawn with another one in their place: pairs of a font number and its substitute.
+    pub substitutes: &'static [(i32, i32)],
 }
 
 /// A colour table: dense where indices are small, so that a look-up costs one load.
@@ -144,6 +146,7 @@ impl Tables {
                 indices: p.cells.to_vec(),
             })),
             colours,
+            substitutes: &[],
         }
     }
 
@@ -175,14 +178,15 @@ impl Tables {
         }
     }
 
-    /// The text aspects that hold on this workstation.
+    /// The text aspects that hold on this workstation, with a substitute in the place of a font that has one.
     pub fn text(&self, look: &Look) -> TextBundle {
         let own = look.text;
         let asf = look.sources;
         let bundle = entry(&self.texts, look.text_index, own);
         let font = if asf.individual(Aspect::TextFontAndPrecision) { own } else { bundle };
+        let substitute = self.substitutes.iter().find(|(number, _)| *number == font.font);
         TextBundle {
-            font: font.font,
+            font: substitute.map_or(font.font, |(_, substitute)| *substitute),
             precision: font.precision,
             expansion: if asf.individual(Aspect::CharacterExpansion) {
                 own.expansion
