@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::fortran_include::identifier;
 use crate::function::{state_bit, variant};
+use crate::samples::{has_subject, subject};
 use crate::tables::{Enumeration, Function, OneOrMore, Parameter, Tables, Value};
 
 /// The levels of GKS.
@@ -103,6 +104,11 @@ fn function_faults(tables: &Tables, function: &Function) -> Vec<String> {
     );
     let somewhere = function.rust.is_some() || function.c.is_some() || !function.fortran.is_empty();
     want(somewhere, "neither the kernel nor a binding has it");
+    if function.awaits.is_some() {
+        want(function.rust.is_some(), "it awaits something and has no Rust method");
+        want(function.level != "0a", "level 0a awaits something");
+        want(function.unreachable.is_empty(), "it awaits something and calls errors unreachable");
+    }
     if let Some(rust) = &function.rust {
         want(*rust == function.name.to_lowercase().replace(' ', "_"), "the Rust name is not the standard's");
     }
@@ -191,7 +197,7 @@ fn sample_faults(tables: &Tables, function: &Function) -> Vec<String> {
         let value = sample[place + 2..].split(word).next().unwrap_or_default();
         let enumeration = tables.enumerations.enumeration.iter().find(|e| e.rust == kind);
         let known = enumeration.is_some_and(|e| e.values.iter().any(|v| v.rust.as_deref() == Some(value)));
-        if !["DataRecord", "Cells"].contains(&kind) && !known {
+        if !["AspectSourceFlags", "DataRecord", "Cells"].contains(&kind) && !known {
             faults.push(format!("the sample names {kind}::{value}, which is not an enumeration's"));
         }
     }
@@ -206,6 +212,12 @@ fn sample_faults(tables: &Tables, function: &Function) -> Vec<String> {
     }
     if !open.is_empty() || sample.matches('"').count() % 2 == 1 {
         faults.push("the sample is not closed".to_owned());
+    }
+    if function.awaits.is_none() && has_subject(function) && subject(sample).is_none() {
+        faults.push("the sample does not begin with a workstation identifier or type".to_owned());
+    }
+    if function.sample_error.is_some_and(|error| !function.errors.contains(&error)) {
+        faults.push("the error of the sample is not listed".to_owned());
     }
     faults
 }

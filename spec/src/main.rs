@@ -10,6 +10,7 @@ mod fortran_include;
 mod function;
 mod header;
 mod numbers;
+mod samples;
 mod tables;
 mod wrappers;
 mod wrappers_c;
@@ -39,6 +40,7 @@ const OUTPUTS: &[(&str, Generator)] = &[
     ("bindings/fortran/include/gks.inc", fortran_include::generate),
     ("bindings/fortran/include/gkspar.inc", fortran_include::generate_demonstration),
     ("bindings/fortran/src/generated/unbuilt.rs", wrappers::generate),
+    ("tests/conformance/generated.rs", samples::generate),
 ];
 
 fn main() -> ExitCode {

@@ -67,6 +67,8 @@ pub(crate) struct Function {
     pub(crate) level: String,
     pub(crate) rust: Option<String>,
     pub(crate) sample: Option<String>,
+    pub(crate) sample_error: Option<i32>,
+    pub(crate) awaits: Option<String>,
     pub(crate) c: Option<String>,
     pub(crate) prototype: Option<String>,
     pub(crate) confirmed: Option<bool>,

@@ -18,15 +18,12 @@ use crate::unbuilt::{refusal, refuse};
 use gks::Function;
 ";
 
-/// What is built although it is about segments or input: the order of viewports is kept for later, and a kernel
-/// without segments knows that no name of one is in use.
-const BUILT: [&str; 2] = ["SET VIEWPORT INPUT PRIORITY", "INQUIRE SET OF SEGMENT NAMES IN USE"];
+/// What is built although the kernel does not have it: without segments no name of one is in use.
+const BUILT: [&str; 1] = ["INQUIRE SET OF SEGMENT NAMES IN USE"];
 
-/// Whether the kernel has what the function works on: it lacks segments and input.
+/// Whether the kernel has what the function works on.
 pub(crate) fn is_built(function: &Function) -> bool {
-    let segments = function.name.contains("SEGMENT") || function.category.contains("segment");
-    let input = !function.level.ends_with('a');
-    !(segments || input) || BUILT.contains(&function.name.as_str())
+    function.awaits.is_none() || BUILT.contains(&function.name.as_str())
 }
 
 /// The text of the file.
@@ -155,18 +152,16 @@ extern \"C\" fn gqlamp_(mldr: Integer, _type_: Integer, errind: Integer, earea: 
 
     #[test]
     fn segments_and_input_are_to_be_built() {
-        let built = |name: &str, category: &str, level: &str| {
-            let mut function = Function::default();
-            (function.name, function.category) = (name.to_owned(), category.to_owned());
-            function.level = level.to_owned();
-            is_built(&function)
+        let tables = Tables::load(&crate::repository().join("spec")).expect("the tables can be read");
+        let built = |name: &str| {
+            is_built(tables.functions.iter().find(|f| f.name == name).expect("the function is in the table"))
         };
-        assert!(built("POLYLINE", "output", "0a"));
-        assert!(built("SET PATTERN REPRESENTATION", "output attributes", "1a"));
-        assert!(built("SET VIEWPORT INPUT PRIORITY", "transformation: normalization", "0b"));
-        assert!(!built("SET VISIBILITY", "segment: attributes", "1a"));
-        assert!(!built("INQUIRE NAME OF OPEN SEGMENT", "inquiry: GKS state list", "1a"));
-        assert!(!built("SET PICK IDENTIFIER", "output attributes", "1b"));
-        assert!(!built("AWAIT EVENT", "input: event", "0c"));
+        assert!(built("POLYLINE"));
+        assert!(built("SET PATTERN REPRESENTATION"));
+        assert!(built("SET VIEWPORT INPUT PRIORITY"));
+        assert!(!built("SET VISIBILITY"));
+        assert!(!built("INQUIRE NAME OF OPEN SEGMENT"));
+        assert!(!built("SET PICK IDENTIFIER"));
+        assert!(!built("AWAIT EVENT"));
     }
 }

@@ -84,6 +84,17 @@ fn duplicates_are_found() {
 }
 
 #[test]
+fn what_is_awaited_is_checked() {
+    expect("TEXT: level 0a awaits something", |t| function(t, "TEXT").awaits = Some("letters".to_owned()));
+    expect("CREATE SEGMENT: it awaits something and calls errors", |t| {
+        function(t, "CREATE SEGMENT").unreachable.insert("120".to_owned(), "why not".to_owned());
+    });
+    expect("PACK DATA RECORD: it awaits something and has no", |t| {
+        function(t, "PACK DATA RECORD").awaits = Some("records".to_owned());
+    });
+}
+
+#[test]
 fn an_unreachable_error_needs_a_reason_and_a_place() {
     expect("TEXT: error 77 is called unreachable and not listed", |t| {
         function(t, "TEXT").unreachable.insert("77".to_owned(), "why not".to_owned());
@@ -103,6 +114,10 @@ fn samples_are_read() {
     expect("an unmatched ]", sample("(1.0, 2.0]"));
     expect("the sample is not closed", sample("&[(1.0, 2.0)"));
     expect("the sample is not closed", sample("1, \"text"));
+    expect("MESSAGE: the sample does not begin with a workstation", |t| {
+        function(t, "MESSAGE").sample = Some("\"message\"".to_owned());
+    });
+    expect("TEXT: the error of the sample is not listed", |t| function(t, "TEXT").sample_error = Some(1));
 }
 
 #[test]

@@ -807,7 +807,7 @@ impl Function {
 static ENTRIES: [Entry; 218] = [
     Entry { name: "OPEN GKS", fortran: &["GOPKS"], c: "gopen_gks", level: Level::L0a, id: 0, states: 0b00001, errors: &[1, 200] },
     Entry { name: "CLOSE GKS", fortran: &["GCLKS"], c: "gclose_gks", level: Level::L0a, id: 1, states: 0b00010, errors: &[2] },
-    Entry { name: "OPEN WORKSTATION", fortran: &["GOPWK"], c: "gopen_ws", level: Level::L0a, id: 2, states: 0b11110, errors: &[8, 20, 21, 22, 23, 24, 26, 28, 42] },
+    Entry { name: "OPEN WORKSTATION", fortran: &["GOPWK"], c: "gopen_ws", level: Level::L0a, id: 2, states: 0b11110, errors: &[8, 20, 22, 23, 24, 28, 42, 21, 26] },
     Entry { name: "CLOSE WORKSTATION", fortran: &["GCLWK"], c: "gclose_ws", level: Level::L0a, id: 3, states: 0b11100, errors: &[7, 20, 25, 29, 147] },
     Entry { name: "ACTIVATE WORKSTATION", fortran: &["GACWK"], c: "gactivate_ws", level: Level::L0a, id: 4, states: 0b01100, errors: &[6, 20, 25, 29, 33, 35, 43] },
     Entry { name: "DEACTIVATE WORKSTATION", fortran: &["GDAWK"], c: "gdeactivate_ws", level: Level::L0a, id: 5, states: 0b01000, errors: &[3, 20, 30, 33, 35] },

@@ -1,0 +1,136 @@
+//! The workstation types of these tests: those of the library, recorded, and some that fail or have a category
+//! that no driver serves.
+
+use gks_pipeline::description::{Catalogue, Category, Description, OpenError};
+use gks_pipeline::device::{Device, DeviceError, Drawn, FrameBuffer, Mark, Page, Surface};
+use gks_workstations::catalogue::Drivers;
+use gks_workstations::environment::Environment;
+use std::io;
+use std::sync::{Arc, Mutex};
+
+/// The type of the library that draws nothing, a display surface without pixels.
+pub(crate) const NULL: i32 = 900;
+/// The type of the library that keeps its pixels, in true colour, and writes nothing.
+pub(crate) const FRAME_BUFFER: i32 = 120;
+/// As [`NULL`], but nothing can be written to it.
+pub(crate) const BROKEN: i32 = 90_001;
+/// As [`NULL`], but no picture can be encoded.
+pub(crate) const UNENCODABLE: i32 = 90_002;
+/// As [`FRAME_BUFFER`], but with a table of 256 colours.
+pub(crate) const INDEXED: i32 = 90_003;
+/// The type of a category is this number plus the category; otherwise as [`NULL`].
+pub(crate) const CATEGORIES: i32 = 91_000;
+
+/// What all devices of a catalogue were asked to do, and the messages, in order.
+#[derive(Clone, Default)]
+pub(crate) struct Log(Arc<Mutex<Vec<String>>>);
+
+impl Log {
+    /// Adds an entry.
+    pub(crate) fn push(&self, entry: String) {
+        self.0.lock().expect("no thread panics while it holds the log").push(entry);
+    }
+
+    /// All entries so far.
+    pub(crate) fn entries(&self) -> Vec<String> {
+        self.0.lock().expect("no thread panics while it holds the log").clone()
+    }
+}
+
+/// The catalogue whose devices write to a log.
+pub(crate) struct Recording {
+    drivers: Drivers,
+    log: Log,
+}
+
+impl Recording {
+    /// The catalogue that writes to `log`.
+    pub(crate) fn new(log: Log) -> Recording {
+        Recording { drivers: Drivers::new(Environment::default()), log }
+    }
+}
+
+/// The type of the library that a type of these tests is made of.
+fn base(number: i32) -> i32 {
+    match number {
+        BROKEN | UNENCODABLE => NULL,
+        INDEXED => FRAME_BUFFER,
+        _ if Category::from_number(number - CATEGORIES).is_some() => NULL,
+        _ => number,
+    }
+}
+
+/// The description of a type of these tests, from that of its base.
+fn changed(number: i32, description: Description) -> Description {
+    let category = Category::from_number(number - CATEGORIES).unwrap_or(description.category);
+    let colours = if number == INDEXED { 256 } else { description.colours };
+    Description { number, category, colours, ..description }
+}
+
+impl Catalogue for Recording {
+    fn types(&self) -> Vec<i32> {
+        self.drivers.types()
+    }
+
+    fn describe(&self, number: i32) -> Option<Description> {
+        Some(changed(number, self.drivers.describe(base(number))?))
+    }
+
+    fn open(&mut self, number: i32, connection: &str) -> Result<(Box<dyn Device>, Description), OpenError> {
+        self.log.push(format!("open {number} \"{connection}\""));
+        let (device, description) = self.drivers.open(base(number), connection)?;
+        let recorded = Recorded { device, fault: number, log: self.log.clone() };
+        Ok((Box::new(recorded), changed(number, description)))
+    }
+}
+
+/// A device that writes to the log what it is asked to do.
+struct Recorded {
+    device: Box<dyn Device>,
+    /// The type of the workstation, which may be one that fails.
+    fault: i32,
+    log: Log,
+}
+
+impl Recorded {
+    fn attempt(&self) -> Result<(), DeviceError> {
+        match self.fault {
+            BROKEN => Err(io::Error::other("nothing can be written").into()),
+            UNENCODABLE => Err(DeviceError::Encode("there is no code for it".to_owned())),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Device for Recorded {
+    fn surface(&self) -> &Surface {
+        self.device.surface()
+    }
+
+    fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
+        self.log.push(format!("begin page {}", page.number));
+        self.device.begin(page)
+    }
+
+    fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
+        self.attempt()?;
+        self.log.push(format!("draw {mark:?}"));
+        self.device.draw(mark)
+    }
+
+    fn end(&mut self) -> Result<(), DeviceError> {
+        self.log.push("end page".to_owned());
+        self.device.end()?;
+        self.attempt()
+    }
+
+    fn close(&mut self) -> Result<(), DeviceError> {
+        self.log.push("close".to_owned());
+        self.device.close()?;
+        self.attempt()
+    }
+
+    fn frame_buffer(&mut self) -> Option<&mut dyn FrameBuffer> {
+        self.device.frame_buffer()
+    }
+}

@@ -1,0 +1,117 @@
+//! The situations in which functions are called, and all that can be inquired of one.
+
+use crate::catalogue::{CATEGORIES, FRAME_BUFFER, INDEXED, Log, NULL, Recording};
+use gks::{Gks, OperatingState, ValueType};
+use gks_pipeline::description::Category;
+
+/// A workstation of type [`FRAME_BUFFER`], active where any is.
+pub(crate) const ACTIVE: i32 = 1;
+/// A workstation of type [`NULL`] that is not active.
+pub(crate) const INACTIVE: i32 = 2;
+/// A workstation of type [`INDEXED`] that is not active.
+pub(crate) const COLOUR_TABLE: i32 = 4;
+/// The workstation identifier of a category is this number plus the category. Those that can be active are so
+/// where any is, but for INPUT and MI, which never can.
+pub(crate) const OF_CATEGORY: i32 = 10;
+/// An identifier that is never in use.
+pub(crate) const UNUSED: i32 = 99;
+
+/// The categories that have a workstation in [`all_categories`].
+pub(crate) const CATEGORIES_OPEN: [Category; 4] =
+    [Category::Input, Category::Wiss, Category::MetafileOutput, Category::MetafileInput];
+
+/// The operating states that can be reached: SGOP needs segments.
+pub(crate) const STATES: [OperatingState; 4] =
+    [OperatingState::Gkcl, OperatingState::Gkop, OperatingState::Wsop, OperatingState::Wsac];
+
+/// A kernel in an operating state, with the workstations that sample calls are about, and its log.
+pub(crate) fn at(state: OperatingState) -> (Gks, Log) {
+    let log = Log::default();
+    let mut gks = Gks::new(Box::new(Recording::new(log.clone())));
+    let messages = log.clone();
+    gks.on_message(Box::new(move |id, text| messages.push(format!("message {id} \"{text}\""))));
+    if state != OperatingState::Gkcl {
+        gks.open_gks().expect("GKS is closed");
+    }
+    if matches!(state, OperatingState::Wsop | OperatingState::Wsac) {
+        open(&mut gks, ACTIVE, FRAME_BUFFER);
+        open(&mut gks, INACTIVE, NULL);
+    }
+    if state == OperatingState::Wsac {
+        gks.activate_workstation(ACTIVE).expect("the workstation has just been opened");
+    }
+    assert_eq!(gks.inquire_operating_state_value(), state);
+    (gks, log)
+}
+
+/// As [`at`] for WSAC, with a workstation of every category and one with a colour table.
+pub(crate) fn all_categories() -> (Gks, Log) {
+    let (mut gks, log) = at(OperatingState::Wsac);
+    open(&mut gks, COLOUR_TABLE, INDEXED);
+    for category in CATEGORIES_OPEN {
+        open(&mut gks, of_category(category), CATEGORIES + category as i32);
+    }
+    (gks, log)
+}
+
+/// The workstation of a category.
+pub(crate) const fn of_category(category: Category) -> i32 {
+    OF_CATEGORY + category as i32
+}
+
+fn open(gks: &mut Gks, id: i32, kind: i32) {
+    gks.open_workstation(id, "", kind).expect("the identifier is free, the type is known");
+}
+
+macro_rules! lines {
+    ($lines:ident, $gks:ident: $($name:ident)+) => {
+        $($lines.push(format!("{} {:?}", stringify!($name), $gks.$name()));)+
+    };
+}
+
+macro_rules! tables {
+    ($lines:ident, $gks:ident, $id:ident: $($list:ident $entry:ident)+) => { $(
+        let indices = $gks.$list($id).map(Iterator::collect::<Vec<_>>);
+        $lines.push(format!("{} {:?} {indices:?}", stringify!($list), $id));
+        for index in indices.unwrap_or_default() {
+            let entry = $gks.$entry($id, index, ValueType::Set);
+            $lines.push(format!("{} {:?} {index} {entry:?}", stringify!($entry), $id));
+        }
+    )+ };
+}
+
+/// All values of the state lists, one a line.
+pub(crate) fn state_lists(gks: &Gks) -> Vec<String> {
+    let mut lines = Vec::new();
+    lines! { lines, gks:
+        inquire_operating_state_value inquire_current_primitive_attribute_values
+        inquire_current_individual_attribute_values inquire_current_normalization_transformation_number
+        inquire_list_of_normalization_transformation_numbers inquire_clipping
+    }
+    for number in gks.inquire_list_of_normalization_transformation_numbers().unwrap_or_default() {
+        let transformation = gks.inquire_normalization_transformation(*number);
+        lines.push(format!("transformation {number} {transformation:?}"));
+    }
+    let open = gks.inquire_set_of_open_workstations().map(Iterator::collect::<Vec<_>>);
+    let active = gks.inquire_set_of_active_workstations().map(Iterator::collect::<Vec<_>>);
+    lines.push(format!("open {open:?} active {active:?}"));
+    for id in open.unwrap_or_default() {
+        workstation(gks, id, &mut lines);
+    }
+    lines
+}
+
+fn workstation(gks: &Gks, id: i32, lines: &mut Vec<String>) {
+    lines.push(format!("connection {id} {:?}", gks.inquire_workstation_connection_and_type(id)));
+    lines.push(format!("state {id} {:?}", gks.inquire_workstation_state(id)));
+    lines.push(format!("surface {id} {:?}", gks.inquire_workstation_deferral_and_update_states(id)));
+    lines.push(format!("transformation {id} {:?}", gks.inquire_workstation_transformation(id)));
+    tables! { lines, gks, id:
+        inquire_list_of_polyline_indices inquire_polyline_representation
+        inquire_list_of_polymarker_indices inquire_polymarker_representation
+        inquire_list_of_text_indices inquire_text_representation
+        inquire_list_of_fill_area_indices inquire_fill_area_representation
+        inquire_list_of_pattern_indices inquire_pattern_representation
+        inquire_list_of_colour_indices inquire_colour_representation
+    }
+}
