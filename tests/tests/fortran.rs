@@ -174,7 +174,7 @@ fn errors_are_logged_in_the_error_file() {
         );
         assert_eq!(
             starts(&String::from_utf8_lossy(&output.stdout)),
-            ["GKS ERROR 69 IN SET MARKER TYPE", "good"]
+            ["before", "GKS ERROR 69 IN SET MARKER TYPE", "good"]
         );
         let log = fs::read_to_string(folder.join("fort.23")).expect("the error file");
         assert_eq!(starts(&log), ["GKS ERROR 63 IN SET LINETYPE", "GKS ERROR 78 IN SET CHARACTER HEIGHT"]);

@@ -232,3 +232,43 @@ macro_rules! lists {
     )+ };
 }
 pub(crate) use lists;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn elements_are_counted_from_1_and_0_asks_for_the_length() {
+        let ask = |n: c_int| {
+            let (mut count, mut item) = ([-9], [-9]);
+            let outputs = (Integer::of(&mut count), Integer::of(&mut item));
+            let indicator = outputs.put(element([10, 20], Integer::of(&mut [n])));
+            (indicator, count[0], item[0])
+        };
+        assert_eq!(ask(0), (0, 2, 0));
+        assert_eq!(ask(1), (0, 2, 10));
+        assert_eq!(ask(2), (0, 2, 20));
+        assert_eq!([3, -1].map(ask), [(NO_SUCH_ELEMENT, 2, 0); 2]);
+    }
+
+    #[test]
+    fn errors_set_everything_to_zero() {
+        let (mut errind, mut ctnr) = ([-9], [-9]);
+        let function = Function::InquireCurrentNormalizationTransformationNumber;
+        answer(function, Integer::of(&mut errind), Integer::of(&mut ctnr), |gks| {
+            gks.inquire_current_normalization_transformation_number()
+        });
+        assert_eq!((errind, ctnr), ([8], [0]));
+    }
+
+    #[test]
+    fn lists_longer_than_their_array_are_cut() {
+        let (mut count, mut array) = ([0], [0; 3]);
+        let outputs = (Integer::of(&mut count), Array::<_, 3>(Integer::of(&mut array)));
+        assert_eq!(outputs.put(vec![1, 2]), 0);
+        assert_eq!((count, array), ([2], [1, 2, 0]));
+        let outputs = (Integer::of(&mut count), Array::<_, 3>(Integer::of(&mut array)));
+        assert_eq!(outputs.put(vec![5, 6, 7, 8]), TOO_SMALL);
+        assert_eq!((count, array), ([4], [5, 6, 7]));
+    }
+}

@@ -39,7 +39,7 @@ impl<T: Copy> Argument<T> {
 
     /// The `count` elements of an array from the element `first` on, to be read before anything is set.
     pub(crate) fn slice<'a>(self, first: usize, count: usize) -> &'a [T] {
-        if count == 0 {
+        if count == 0 || !Self::may_have(first, count) {
             return &[];
         }
         // SAFETY: an array of at least `first + count` elements, which nobody changes while it is read.
@@ -49,11 +49,16 @@ impl<T: Copy> Argument<T> {
     /// The same to be changed, while no other argument is used.
     #[allow(clippy::mut_from_ref, reason = "an address may be copied; the array behind it is the caller's")]
     pub(crate) fn slice_mut<'a>(self, first: usize, count: usize) -> &'a mut [T] {
-        if count == 0 {
+        if count == 0 || !Self::may_have(first, count) {
             return &mut [];
         }
         // SAFETY: an array of at least `first + count` elements, which nobody else uses meanwhile.
         unsafe { std::slice::from_raw_parts_mut(self.0.add(first), count) }
+    }
+
+    /// Whether there can be an array of `first + count` elements at all.
+    fn may_have(first: usize, count: usize) -> bool {
+        first.checked_add(count).is_some_and(|n| n <= isize::MAX as usize / size_of::<T>())
     }
 
     /// The array from the element `first` on.
@@ -72,6 +77,14 @@ impl<T: Copy> Argument<T> {
     /// Sets the first `count` elements of an array to one value.
     pub(crate) fn fill(self, count: usize, value: T) {
         self.set_from(0, std::iter::repeat_n(value, count));
+    }
+}
+
+#[cfg(test)]
+impl<T> Argument<T> {
+    /// The argument that a variable or an array makes.
+    pub(crate) fn of(target: &mut [T]) -> Self {
+        Argument(target.as_mut_ptr())
     }
 }
 
@@ -173,4 +186,38 @@ macro_rules! pairs {
 pairs! {
     RelativePriority { Higher, Lower }
     CoordinateSwitch { Wc, Ndc }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_is_filled_up_with_blanks_or_cut() {
+        let mut string = *b"xxxxxx";
+        assert!(Character::of(&mut string).set_text(5, b"abc"));
+        assert_eq!(string, *b"abc  x");
+        assert!(!Character::of(&mut string).set_text(2, b"def"));
+        assert_eq!(string, *b"dec  x");
+    }
+
+    #[test]
+    fn arrays_that_cannot_be_are_empty() {
+        let mut array = [1, 2, 3];
+        let argument = Integer::of(&mut array);
+        assert_eq!(argument.slice(1, 2), [2, 3]);
+        assert_eq!(argument.slice(0, usize::MAX / 4), [0; 0]);
+        assert_eq!(argument.slice(usize::MAX, 2), [0; 0]);
+        assert_eq!([-1, 0, 7].map(|n| Integer::of(&mut [n]).count()), [0, 0, 7]);
+    }
+
+    #[test]
+    fn enumerations_are_numbered_as_in_fortran() {
+        const F: Function = Function::SetTextPath;
+        assert_eq!(choice::<TextPath>(3, F), Ok(TextPath::Down));
+        assert_eq!(choice::<RelativePriority>(1, F), Ok(RelativePriority::Lower));
+        assert_eq!(choice::<bool>(1, F), Ok(true));
+        let error = choice::<CoordinateSwitch>(2, F).expect_err("there are two");
+        assert_eq!((error.number, error.function), (2000, F));
+    }
 }

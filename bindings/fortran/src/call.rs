@@ -1,6 +1,5 @@
 //! Calls of the kernel, and the way of their errors to the program.
 
-use crate::argument::Integer;
 use gks::{Error, Function, Gks};
 use gks_instance::{ErrorFile, Instance};
 use std::ffi::c_int;
@@ -11,7 +10,7 @@ unsafe extern "C" {
 }
 
 /// The unit in the place of an error file that has a name and no unit.
-const NAMED_FILE: c_int = -1;
+pub(crate) const NAMED_FILE: c_int = -1;
 
 /// The identifier in the place of that of a function that has none.
 const NO_FUNCTION: c_int = -1;
@@ -48,16 +47,6 @@ pub(crate) fn check_state(gks: &Gks, function: Function) -> gks::Result<()> {
     } else {
         Err(Error::new(function.state_error(), function))
     }
-}
-
-/// What GERLOG does: writes an error to the error file of a unit.
-#[unsafe(no_mangle)]
-extern "C" fn gks_log_error(error: Integer, function: Integer, file: Integer) {
-    let file = match file.get() {
-        ..0 => gks_instance::with(|instance| instance.error_file.clone()),
-        unit => ErrorFile::from_unit(unit),
-    };
-    gks_instance::log(error.get(), function.get(), &file);
 }
 
 /// Defines subroutines that are not inquiries. In the call, `F` is the function.

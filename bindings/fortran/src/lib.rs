@@ -23,6 +23,7 @@ mod attributes;
 mod call;
 mod control;
 mod data_record;
+mod error_log;
 mod inquiry;
 mod metafile;
 mod ncar;

@@ -95,3 +95,39 @@ extern "C" fn gesc_(
         odr.set_from(0, packed.as_flattened().iter().copied());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn part(dimensions: [i32; 2], start: [i32; 2], size: [i32; 2]) -> (usize, usize, usize, usize) {
+        let [mut dimensions, mut start, mut size] = [dimensions, start, size];
+        let pair = |numbers: &mut [i32; 2]| {
+            let (first, second) = numbers.split_at_mut(1);
+            [Integer::of(first), Integer::of(second)]
+        };
+        let part = Part::new(pair(&mut dimensions), pair(&mut start), pair(&mut size));
+        (part.first, part.columns, part.rows, part.stride)
+    }
+
+    #[test]
+    fn parts_lie_inside_of_their_array() {
+        assert_eq!(part([4, 3], [2, 2], [3, 2]), (5, 3, 2, 4));
+        assert_eq!(part([4, 3], [4, 3], [1, 1]), (11, 1, 1, 4));
+        let nothing = (0, 0, 0, 0);
+        assert_eq!(part([4, 3], [2, 2], [4, 1]), nothing);
+        assert_eq!(part([4, 3], [0, 1], [1, 1]), nothing);
+        assert_eq!(part([4, 3], [1, 4], [1, 1]), nothing);
+        assert_eq!(part([4, 3], [1, 1], [0, 1]), nothing);
+        assert_eq!(part([-4, -3], [1, 1], [1, 1]), nothing);
+        let most = i32::MAX;
+        assert_eq!(part([most, most], [most, most], [most, most]), nothing);
+    }
+
+    #[test]
+    fn cells_are_those_of_the_part() {
+        let mut array: Vec<i32> = (0..12).collect();
+        let part = Part { first: 5, columns: 2, rows: 2, stride: 4 };
+        assert_eq!(part.cells(Integer::of(&mut array)), [5, 6, 7, 8, 9, 10]);
+    }
+}

@@ -7,6 +7,7 @@ C     standard error output.
       CALL GOPKS(23, 0)
       CALL GSLN(0)
       CALL GSCHH(-1.5)
+      WRITE (*, *) 'before'
       CALL GERLOG(69, ESMK, 6)
       CALL GCLKS
       CALL DONE
