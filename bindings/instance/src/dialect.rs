@@ -50,6 +50,8 @@ impl Dialect {
             // NCAR's utilities save and restore the interior style and rely on this initial value.
             defaults.look.fill.interior = InteriorStyle::Solid;
             defaults.substitutes = NCAR_SUBSTITUTES;
+            // NCAR's nominal marker size is a hundredth of the unit square, ours 6/1000.
+            defaults.marker_scale = 10.0 / 6.0;
         }
         defaults
     }

@@ -1,7 +1,7 @@
 //! Control: opening and closing, workstations, clearing and updating.
 
 use crate::gks::{OpenWorkstation, device_error};
-use crate::{Error, Function, Gks, OperatingState, Result};
+use crate::{Defaults, Error, Function, Gks, OperatingState, Result};
 use gks_pipeline::description::{Category, DeferralMode, OpenError, RegenerationMode};
 use gks_pipeline::generated::numbers;
 use gks_pipeline::tables::Tables;
@@ -58,7 +58,8 @@ impl Gks {
             };
             Error::new(number, F).because(e.to_string())
         })?;
-        let tables = Tables { substitutes: self.defaults.substitutes, ..Tables::predefined() };
+        let Defaults { substitutes, marker_scale, .. } = self.defaults;
+        let tables = Tables { substitutes, marker_scale, ..Tables::predefined() };
         let workstation = Workstation::new(device, description, tables);
         let connection = connection.to_owned();
         self.workstations.insert(id, OpenWorkstation { workstation, connection, kind, active: false });

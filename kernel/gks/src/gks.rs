@@ -51,12 +51,14 @@ pub struct Defaults {
     /// Fonts that every workstation draws with another one in their place: pairs of a font number and its
     /// substitute.
     pub substitutes: &'static [(i32, i32)],
+    /// The nominal marker size of every workstation as a multiple of the usual one.
+    pub marker_scale: f64,
 }
 
 impl Default for Defaults {
     /// The library's own choice: aspect source flags INDIVIDUAL, interior style HOLLOW.
     fn default() -> Self {
-        Defaults { look: Look::default(), substitutes: &[] }
+        Defaults { look: Look::default(), substitutes: &[], marker_scale: 1.0 }
     }
 }
 

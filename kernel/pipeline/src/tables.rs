@@ -35,6 +35,8 @@ pub struct Tables {
     pub colours: Colours,
     /// Fonts that are drawn with another one in their place: pairs of a font number and its substitute.
     pub substitutes: &'static [(i32, i32)],
+    /// The nominal marker size as a multiple of the one that all devices have.
+    pub marker_scale: f64,
 }
 
 /// A colour table: dense where indices are small, so that a look-up costs one load.
@@ -147,6 +149,7 @@ impl Tables {
             })),
             colours,
             substitutes: &[],
+            marker_scale: 1.0,
         }
     }
 

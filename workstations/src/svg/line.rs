@@ -76,6 +76,10 @@ pub(super) fn area(
         paint(out, "fill", fill.colour);
         if rule == Rule::NonZero {
             out.extend_from_slice(b" fill-rule=\"nonzero\"");
+        } else if fill.colour.alpha >= 1.0 {
+            // Viewers antialias every area by itself: what is below would show between neighbours.
+            paint(out, "stroke", fill.colour);
+            out.extend_from_slice(b" stroke-width=\".5\"");
         }
     });
     document.raw("<path d=\"");

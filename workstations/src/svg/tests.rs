@@ -182,7 +182,10 @@ fn areas_are_closed_and_clipping_paths_are_reused() {
         draw(svg, area(Rule::EvenOdd), None);
     });
     let path = "<path d=\"m1 1h2v3h-2z\"/>\n</g>\n";
-    let (even, non_zero) = ("<g fill=\"#f00\">\n", "<g fill=\"#f00\" fill-rule=\"nonzero\">\n");
+    let (even, non_zero) = (
+        "<g fill=\"#f00\" stroke=\"#f00\" stroke-width=\".5\">\n",
+        "<g fill=\"#f00\" fill-rule=\"nonzero\">\n",
+    );
     assert_eq!(
         text,
         format!(
