@@ -168,10 +168,11 @@ fn errors_are_logged_in_the_error_file() {
         let starts = |text: &str| -> Vec<String> {
             text.lines().map(|line| line.split(':').next().unwrap_or_default().trim().to_owned()).collect()
         };
-        assert_eq!(
-            starts(&String::from_utf8_lossy(&output.stderr)),
-            ["GKS ERROR 2 IN CLOSE GKS", "GKS ERROR 200 IN OPEN GKS"]
-        );
+        let errors = String::from_utf8_lossy(&output.stderr);
+        let message = "GKS message on workstation 1";
+        let expected = ["GKS ERROR 2 IN CLOSE GKS", "GKS ERROR 200 IN OPEN GKS", message, message];
+        assert_eq!(starts(&errors), expected);
+        assert!(errors.ends_with(": change the pen\nGKS message on workstation 1: and the p\n"), "{errors}");
         assert_eq!(
             starts(&String::from_utf8_lossy(&output.stdout)),
             ["before", "GKS ERROR 69 IN SET MARKER TYPE", "good"]

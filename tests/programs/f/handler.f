@@ -1,5 +1,5 @@
-C     A program's own GERHND wins. While it runs, it may inquire and log
-C     but nothing else has an effect.
+C     A program's own GERHND wins. While it runs, it may inquire, log
+C     and close in an emergency, but nothing else has an effect.
       PROGRAM HANDLR
       INCLUDE 'gks.inc'
       INTEGER IE, I, NCALLS
@@ -16,7 +16,8 @@ C     but nothing else has an effect.
       CALL WANTI('colour set again', I, 5)
       CALL GSLN(0)
       CALL WANTI('calls of the handler again', NCALLS, 2)
-      CALL GCLKS
+      CALL GQOPS(I)
+      CALL WANTI('state after the emergency', I, GGKCL)
       CALL DONE
       END
 
@@ -39,5 +40,7 @@ C     but nothing else has an effect.
         CALL GQOPS(I)
         CALL WANTI('state in the handler', I, GGKOP)
         CALL GERLOG(ERRNR, FCTID, ERRFIL)
+      ELSE
+        CALL GECLKS
       END IF
       END
