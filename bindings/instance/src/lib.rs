@@ -11,11 +11,11 @@ mod error_file;
 mod exit;
 mod text;
 
-pub use dialect::Dialect;
 pub use error_file::ErrorFile;
+pub use gks_workstations::dialect::Dialect;
 pub use text::{from_latin1, from_utf8_or_latin1};
 
-use gks::{Defaults, Error, Function, Gks};
+use gks::{Error, Function, Gks};
 use gks_workstations::catalogue::Drivers;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -59,9 +59,12 @@ fn lock() -> MutexGuard<'static, Option<Box<Instance>>> {
 
 #[cold]
 fn create() -> Box<Instance> {
-    let dialect = Dialect::from_process();
-    let defaults: Defaults = dialect.defaults();
-    let mut gks = Gks::with_defaults(Box::new(Drivers::from_process()), defaults);
+    let drivers = Drivers::from_process();
+    let dialect = drivers.environment().dialect().unwrap_or_else(|message| {
+        eprintln!("{message}; iso is used");
+        Dialect::Iso
+    });
+    let mut gks = Gks::with_defaults(Box::new(drivers), dialect::defaults(dialect));
     gks.on_message(Box::new(|workstation, text| {
         eprintln!("GKS message on workstation {workstation}: {text}");
     }));
