@@ -29,7 +29,7 @@ struct Limits {
 }
 
 /// Devices of ours among themselves: same fonts, same widths.
-const SAME: Limits = Limits { stray: 0.005, tone: 10.0 };
+const SAME: Limits = Limits { stray: 0.02, tone: 10.0 };
 /// Ours and the original: other outlines of characters, other linewidths.
 const ORIGINAL: Limits = Limits { stray: 0.03, tone: 15.0 };
 /// A pen plot and our picture of it: where there is ink, not of what colour.
