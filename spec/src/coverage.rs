@@ -43,7 +43,9 @@ type Language = (&'static str, &'static [&'static str], fn(&Function) -> Vec<Str
 
 const LANGUAGES: [Language; 3] = [
     ("rust", &["kernel/gks/src"], |f| f.rust.iter().cloned().collect()),
-    ("c", &["bindings/c/src"], |f| f.c.iter().cloned().collect()),
+    ("c", &["bindings/c/src", "bindings/c/gerr_hand/src", "bindings/c/gerr_log/src"], |f| {
+        f.c.iter().cloned().collect()
+    }),
     (
         "fortran",
         &["bindings/fortran/src", "bindings/fortran/gerhnd/src", "bindings/fortran/gerlog/src"],

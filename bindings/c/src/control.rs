@@ -3,17 +3,23 @@
 use crate::argument::{In, call, choice, flag};
 use crate::error::report;
 use crate::types::Gint;
-use gks::{Function, Gks};
+use gks::{Error, Function, Gks};
 use gks_instance::ErrorFile;
 use gks_pipeline::description::{DeferralMode, RegenerationMode};
 use std::ffi::c_char;
 
 /// OPEN GKS, with the name of the error file, the standard error output for a null pointer. The memory needs
-/// no limit.
+/// no limit. Error 200: the file cannot be written.
 #[unsafe(no_mangle)]
 extern "C" fn gopen_gks(err_file: In<c_char>, _mem_unit: usize) {
-    gks_instance::call_instance(Function::OpenGks, report, |instance| {
-        instance.open_gks(ErrorFile::from_name(&err_file.text()))
+    const F: Function = Function::OpenGks;
+    gks_instance::call_instance(F, report, |instance| {
+        gks_instance::check_state(&instance.gks, F)?;
+        let file = ErrorFile::from_name(&err_file.text());
+        if !file.is_valid() {
+            return Err(Error::new(200, F).because(err_file.text()));
+        }
+        instance.open_gks(file)
     });
 }
 

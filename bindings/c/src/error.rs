@@ -3,7 +3,7 @@
 use crate::argument::{In, Out};
 use crate::types::Gint;
 use gks::{Error, Function};
-use gks_instance::ErrorFile;
+use gks_instance::{ErrorFile, STANDARD_OUTPUT};
 use std::ffi::{CString, c_char};
 use std::sync::{Mutex, PoisonError};
 
@@ -11,7 +11,12 @@ use std::sync::{Mutex, PoisonError};
 /// is null for the standard error output.
 type ErrorHandler = unsafe extern "C" fn(Gint, Gint, In<c_char>);
 
-/// The handler of the program; the default one where there is none.
+unsafe extern "C" {
+    /// The default handler, or a function of that name of the program.
+    fn gerr_hand(err_num: Gint, func_num: Gint, err_file: In<c_char>);
+}
+
+/// The handler that the program has set; the default one where there is none.
 static HANDLER: Mutex<Option<ErrorHandler>> = Mutex::new(None);
 
 /// The function identifier of functions that have none.
@@ -28,7 +33,7 @@ pub(crate) fn report(error: &Error, file: &ErrorFile) {
     let handler = HANDLER.lock().unwrap_or_else(PoisonError::into_inner).unwrap_or(gerr_hand);
     let name = match file {
         ErrorFile::Stderr => None,
-        ErrorFile::Stdout => Some(c"/dev/stdout".to_owned()),
+        ErrorFile::Stdout => CString::new(STANDARD_OUTPUT).ok(),
         ErrorFile::Path(path) => CString::new(path.as_str()).ok(),
     };
     let name = In::of(name.as_deref());
@@ -36,15 +41,9 @@ pub(crate) fn report(error: &Error, file: &ErrorFile) {
     unsafe { handler(error.number, error.function.id().unwrap_or(NO_FUNCTION), name) }
 }
 
-/// ERROR HANDLING: what happens to an error where the program has no handler of its own. Logs it.
+/// What `gerr_log` does: writes an error to an error file.
 #[unsafe(no_mangle)]
-extern "C" fn gerr_hand(err_num: Gint, func_num: Gint, err_file: In<c_char>) {
-    gerr_log(err_num, func_num, err_file);
-}
-
-/// ERROR LOGGING: writes an error to an error file.
-#[unsafe(no_mangle)]
-extern "C" fn gerr_log(err_num: Gint, func_num: Gint, err_file: In<c_char>) {
+extern "C" fn gks_log_c_error(err_num: Gint, func_num: Gint, err_file: In<c_char>) {
     gks_instance::log(err_num, func_num, &ErrorFile::from_name(&err_file.text()));
 }
 

@@ -35,3 +35,6 @@ mod generated {
 use gks_fortran as _;
 use gks_gerhnd as _;
 use gks_gerlog as _;
+// What a program may replace is in crates of its own.
+use gks_gerr_hand as _;
+use gks_gerr_log as _;

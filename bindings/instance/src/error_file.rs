@@ -2,6 +2,10 @@
 
 use std::fs::OpenOptions;
 use std::io::Write;
+use std::path::Path;
+
+/// The name of the standard output as an error file.
+pub const STANDARD_OUTPUT: &str = "/dev/stdout";
 
 /// The error file of OPEN GKS. It is opened for each message and closed again, so that the program itself
 /// may write to it in between.
@@ -36,7 +40,21 @@ impl ErrorFile {
 
     /// The file of a name; an empty one means the standard error output.
     pub fn from_name(name: &str) -> Self {
-        if name.is_empty() { ErrorFile::Stderr } else { ErrorFile::Path(name.to_owned()) }
+        match name {
+            "" => ErrorFile::Stderr,
+            STANDARD_OUTPUT => ErrorFile::Stdout,
+            _ => ErrorFile::Path(name.to_owned()),
+        }
+    }
+
+    /// Whether messages could be written: the file can be appended to, or its folder is there. Makes no file.
+    pub fn is_valid(&self) -> bool {
+        let ErrorFile::Path(path) = self else { return true };
+        let path = Path::new(path);
+        if path.exists() {
+            return OpenOptions::new().append(true).open(path).is_ok();
+        }
+        path.parent().is_some_and(|folder| folder.as_os_str().is_empty() || folder.is_dir())
     }
 
     /// Appends a message. A message that cannot be written goes to the standard error output.
@@ -70,6 +88,16 @@ mod tests {
         }
         assert_eq!(ErrorFile::from_name("errors.log").unit(), None);
         assert_eq!(ErrorFile::from_name(""), ErrorFile::Stderr);
+        assert_eq!(ErrorFile::from_name(STANDARD_OUTPUT), ErrorFile::Stdout);
+    }
+
+    #[test]
+    fn a_file_in_no_folder_is_not_valid() {
+        assert!(ErrorFile::Stderr.is_valid() && ErrorFile::from_name("errors.log").is_valid());
+        let folder = std::env::temp_dir();
+        assert!(!ErrorFile::from_name(&folder.to_string_lossy()).is_valid());
+        assert!(ErrorFile::from_name(&folder.join("gks-errors").to_string_lossy()).is_valid());
+        assert!(!ErrorFile::from_name(&folder.join("gks-none/errors").to_string_lossy()).is_valid());
     }
 
     #[test]

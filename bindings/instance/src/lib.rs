@@ -11,7 +11,7 @@ mod error_file;
 mod exit;
 mod text;
 
-pub use error_file::ErrorFile;
+pub use error_file::{ErrorFile, STANDARD_OUTPUT};
 pub use gks_workstations::dialect::Dialect;
 pub use text::{from_latin1, from_utf8_or_latin1};
 
