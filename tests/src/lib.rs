@@ -1,1 +1,3 @@
-//! (placeholder)
+//! What the tests share that look at the system from outside.
+
+pub mod program;

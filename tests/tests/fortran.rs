@@ -1,62 +1,23 @@
 //! The Fortran binding, by programs that check themselves, compiled with gfortran and linked with `libgks`.
 
+use gks_tests::program::{self, Linking, assert_good, library, repository, run};
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-use std::sync::OnceLock;
-
-/// How a program takes the library.
-#[derive(Copy, Clone, Debug)]
-enum Linking {
-    Shared,
-    Static,
-}
-
-fn repository() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the tests lie in a folder of the repository")
-}
-
-/// The folder of `libgks`, which is built if it is not up to date.
-fn library() -> &'static Path {
-    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
-    FOLDER.get_or_init(|| {
-        let built = Command::new(env!("CARGO"))
-            .args(["build", "--quiet", "--package", "gks-c", "--message-format", "json"])
-            .current_dir(repository())
-            .output()
-            .expect("cargo runs");
-        assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
-        // The report of cargo names the files of each package that it built or found up to date.
-        let report = String::from_utf8_lossy(&built.stdout);
-        let mut files = report.split('"').filter(|word| word.ends_with("/libgks.a"));
-        let file = files.next_back().expect("cargo reports the library");
-        Path::new(file).parent().expect("the library lies in a folder").to_owned()
-    })
-}
+use std::process::Command;
 
 /// Whether there is a Fortran compiler; says loudly if there is none.
 fn has_compiler() -> bool {
-    let found = Command::new("gfortran").arg("--version").output().is_ok();
-    if !found {
-        // Not a macro, whose text would be shown for failed tests only.
-        let _ = std::io::stderr().write_all(b"\nSKIPPED: gfortran is not installed\n");
-    }
-    found
+    program::has_compiler("gfortran")
 }
 
 /// An empty folder for the files of a program.
 fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fortran").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder for the program");
-    folder
+    program::folder(env!("CARGO_TARGET_TMPDIR"), "fortran", name)
 }
 
 /// Compiles a program of `programs/f` from its sources, the first of which gives the name.
 fn compile(folder: &Path, sources: &[&str], linking: Linking) -> PathBuf {
-    let library = library();
     let program = folder.join(sources[0]);
     let mut compiler = Command::new("gfortran");
     compiler.args(["-std=f2008", "-fimplicit-none", "-ffixed-form", "-O1"]);
@@ -64,25 +25,8 @@ fn compile(folder: &Path, sources: &[&str], linking: Linking) -> PathBuf {
     for source in sources {
         compiler.arg(repository().join("tests/programs/f").join(source).with_extension("f"));
     }
-    match linking {
-        Linking::Shared => {
-            compiler.arg("-L").arg(library).arg("-lgks").arg(format!("-Wl,-rpath,{}", library.display()))
-        }
-        Linking::Static => compiler.arg(library.join("libgks.a")).args(["-lm", "-lpthread", "-ldl"]),
-    };
-    let compiled = compiler.output().expect("gfortran runs");
-    assert!(compiled.status.success(), "{sources:?}: {}", String::from_utf8_lossy(&compiled.stderr));
+    program::compile(&mut compiler, linking);
     program
-}
-
-/// Runs a program in its folder, without what the environment of the tests says to GKS.
-fn run(program: &Path, environment: &[(&str, &str)]) -> Output {
-    let mut command = Command::new(program);
-    for (name, _) in std::env::vars().filter(|(name, _)| name.starts_with("GKS_")) {
-        command.env_remove(name);
-    }
-    command.current_dir(program.parent().expect("a program lies in a folder"));
-    command.envs(environment.iter().copied()).output().expect("the program runs")
 }
 
 /// Compiles and runs a program that checks itself, and gives the folder with the files that it wrote.
@@ -93,10 +37,7 @@ fn passes(sources: &[&str], linking: Linking, environment: &[(&str, &str)]) -> O
     let folder = folder(&format!("{}-{linking:?}", sources[0]));
     let sources = [sources, &["check"]].concat();
     let output = run(&compile(&folder, &sources, linking), environment);
-    let text = String::from_utf8_lossy(&output.stdout);
-    let errors = String::from_utf8_lossy(&output.stderr);
-    let is_good = output.status.success() && text.trim_end().ends_with("good");
-    assert!(is_good, "{sources:?} {linking:?}, {}:\n{text}{errors}", output.status);
+    assert_good(&output);
     Some(folder)
 }
 
