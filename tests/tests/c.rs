@@ -136,7 +136,7 @@ fn errors_are_logged_in_the_error_file() {
             ]
         );
         let output = String::from_utf8_lossy(&output.stdout);
-        assert_eq!(beginnings(&output)[0], "GKS ERROR 69 IN SET MARKER TYPE");
+        assert_eq!(beginnings(&output), ["first", "GKS ERROR 69 IN SET MARKER TYPE", "good"]);
         let log = fs::read_to_string(folder.join("errors")).expect("the error file");
         assert_eq!(beginnings(&log), ["GKS ERROR 78 IN SET CHARACTER HEIGHT"]);
         let log = fs::read_to_string(folder.join("other")).expect("the other file");

@@ -4,7 +4,7 @@ use crate::argument::{In, Out};
 use crate::types::Gint;
 use gks::{Error, Function};
 use gks_instance::{ErrorFile, STANDARD_OUTPUT};
-use std::ffi::{CString, c_char};
+use std::ffi::{CString, c_char, c_int, c_void};
 use std::sync::{Mutex, PoisonError};
 
 /// An error handling function of a program: error number, function identifier, name of the error file, which
@@ -14,6 +14,9 @@ type ErrorHandler = unsafe extern "C" fn(Gint, Gint, In<c_char>);
 unsafe extern "C" {
     /// The default handler, or a function of that name of the program.
     fn gerr_hand(err_num: Gint, func_num: Gint, err_file: In<c_char>);
+
+    /// Writes out what is buffered for a stream, for all of them at a null pointer.
+    fn fflush(stream: *mut c_void) -> c_int;
 }
 
 /// The handler that the program has set; the default one where there is none.
@@ -41,9 +44,11 @@ pub(crate) fn report(error: &Error, file: &ErrorFile) {
     unsafe { handler(error.number, error.function.id().unwrap_or(NO_FUNCTION), name) }
 }
 
-/// What `gerr_log` does: writes an error to an error file.
+/// What `gerr_log` does: writes an error to an error file, after what the program has written itself.
 #[unsafe(no_mangle)]
 extern "C" fn gks_log_c_error(err_num: Gint, func_num: Gint, err_file: In<c_char>) {
+    // SAFETY: a null pointer is allowed. If a stream cannot be written, the program finds out by itself.
+    let _ = unsafe { fflush(std::ptr::null_mut()) };
     gks_instance::log(err_num, func_num, &ErrorFile::from_name(&err_file.text()));
 }
 

@@ -1,6 +1,8 @@
 /* What the usual error handling writes, to the standard error output and to a file. */
 #include "check.h"
 
+#include <stdio.h>
+
 int main(void)
 {
     gclose_gks();
@@ -14,6 +16,7 @@ int main(void)
     gerr_log(93, -1, NULL);
     gclose_gks();
     gopen_gks("/dev/stdout", GDEF_MEM_SIZE);
+    printf("first: a line of the program\n");
     gset_marker_type(0);
     gclose_gks();
     return finish();
