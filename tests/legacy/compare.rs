@@ -112,7 +112,7 @@ fn ink(picture: &RgbImage, paper: [u8; 3], least: i32) -> GrayImage {
 
 /// Ink grown by `NEAR` pixels.
 fn grown(ink: &GrayImage) -> GrayImage {
-    let reach = NEAR as i64;
+    let reach = i64::from(NEAR);
     let mut rows = GrayImage::new(SIZE, SIZE);
     for (x, y, p) in ink.enumerate_pixels() {
         if p.0[0] > 0 {
@@ -264,7 +264,7 @@ fn main() -> ExitCode {
                 let others = pages(&runs.join(program).join(device));
                 match others.get(i).and_then(|p| open(p)) {
                     Some(other) if device == "hpgl" => {
-                        report.judge(&what, plot_likeness(&ours, &other), &limits)
+                        report.judge(&what, plot_likeness(&ours, &other), &limits);
                     }
                     Some(other) => report.judge(&what, likeness(&ours, &other), &limits),
                     None => report.missing(&what),

@@ -75,13 +75,16 @@ impl Fonts {
             document.number(origin.y);
             document.raw(")\"");
         }
-        if run.text.starts_with(' ') || run.text.ends_with(' ') || run.text.contains("  ") {
-            document.raw(" xml:space=\"preserve\"");
-        }
         let places: Vec<DVec2> = run.glyphs.iter().map(|glyph| inverse * (glyph.origin.0 - origin)).collect();
         let widths: Vec<f64> = run.glyphs.iter().map(|glyph| run.face.advance(glyph.id) * size).collect();
         let spacing = spacing(&places, &widths);
         let pieces = ends_of_pieces(&places, &widths, spacing);
+        // Some viewers drop a space at either end of a piece.
+        let blank = |at: usize| characters.get(at) == Some(&' ');
+        let at_edge = blank(0) || pieces.iter().any(|&end| blank(end) || end > 0 && blank(end - 1));
+        if at_edge || run.text.contains("  ") {
+            document.raw(" xml:space=\"preserve\"");
+        }
         if COORDINATE.steps(spacing) != 0 && pieces.len() < places.len() {
             open_attribute(&mut document.out, "letter-spacing");
             FINE.write(&mut document.out, spacing);
