@@ -1,17 +1,8 @@
 //! Metafile items.
 
 use crate::argument::{In, Out, array, call, integer};
-use crate::types::{Gdata, Gint};
+use crate::types::{Gint, Gitem_data};
 use gks::Function;
-
-/// A metafile item, whose data are those of an application: GKS knows only their size.
-#[repr(C)]
-#[derive(Copy, Clone)]
-pub(crate) struct Gitem_data {
-    r#type: Gint,
-    length: Gint,
-    data: Gdata,
-}
 
 /// The last item type that is GKS's own.
 const LAST_OF_GKS: Gint = 100;

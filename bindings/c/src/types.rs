@@ -123,6 +123,8 @@ structures! {
         line_bundle: Gint, marker_bundle: Gint, text_bundle: Gint, fill_bundle: Gint,
         pat_rep: Gint, colr_rep: Gint, ws_tran: Gint,
     }
+    /// A metafile item, whose data here are those of an application: GKS knows only their size.
+    Gitem_data { r#type: Gint, length: Gint, data: Gdata }
     /// How changes of segments become visible.
     Gdyn_mod_seg_attrs {
         tran: Gint, vis_invis: Gint, invis_vis: Gint, highl: Gint, pri: Gint, add: Gint, del: Gint,

@@ -149,13 +149,6 @@ fn handle(error: &Error, report: impl FnOnce(&Error, &ErrorFile)) {
     });
 }
 
-/// Reports an error that a binding itself found.
-pub fn raise(error: &Error, report: impl FnOnce(&Error, &ErrorFile)) {
-    if !with(|instance| instance.handling) {
-        handle(error, report);
-    }
-}
-
 /// ERROR LOGGING: writes an error to an error file, with its detail if it is the one being handled. The
 /// function is given by its identifier.
 pub fn log(number: i32, function: i32, file: &ErrorFile) {
