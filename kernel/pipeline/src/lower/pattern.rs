@@ -4,6 +4,7 @@ use crate::colour::Paint;
 use crate::device::{DeviceError, Grid, Rule};
 use crate::item::Parallelogram;
 use crate::look::Look;
+use crate::lower;
 use crate::painter::{Canvas, Painter};
 use gks_algorithms::clip::sutherland_hodgman_convex;
 use gks_geometry::{Du, PathBuf, Paths, Point, Rect};
@@ -99,7 +100,11 @@ pub(crate) fn draw(
         }
     }
     for (paint, area) in areas.values() {
-        painter.solid(area.as_paths(), Rule::EvenOdd, *paint, clip, canvas)?;
+        if canvas.surface.pen.is_some() {
+            lower::hatch::interior(painter, area.as_paths(), *paint, clip, canvas)?;
+        } else {
+            painter.solid(area.as_paths(), Rule::EvenOdd, *paint, clip, canvas)?;
+        }
     }
     Ok(())
 }
