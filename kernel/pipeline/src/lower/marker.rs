@@ -127,11 +127,13 @@ pub(crate) fn draw(
         out.clear();
         done
     };
+    // Translucent markers that overlap show both, as where a device draws them one by one.
+    let chunk = if style.paint.colour.alpha < 1.0 { 1 } else { CHUNK };
     for &position in positions {
         for path in &paths {
             out.add(path.iter().map(|&p| p + position));
         }
-        if out.points.len() >= CHUNK {
+        if out.points.len() >= chunk {
             flush(&mut out, canvas)?;
         }
     }
