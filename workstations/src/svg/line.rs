@@ -7,18 +7,20 @@ use gks_geometry::{Du, Paths, Rect};
 use gks_pipeline::colour::Paint;
 use gks_pipeline::device::{Pen, Rule};
 use gks_pipeline::look::{Cap, Join};
+use glam::DVec2;
 use std::io;
 
-/// Draws lines, with all paths in one element and all dots in another. A line that ends where it started
-/// has a corner there.
+/// Draws lines, with all paths in one element and all dots in another, as wide as the pen and square unless its
+/// ends are round. A line that ends where it started has a corner there.
 pub(super) fn lines(
     document: &mut Document,
     clip: Option<&Rect<Du>>,
     paths: Paths<'_, Du>,
     pen: &Pen<'_>,
 ) -> io::Result<()> {
-    let has_lines = paths.iter().any(|path| path.len() > 1);
-    let has_dots = paths.iter().any(|path| path.len() == 1);
+    let is_dot = |path: &[DVec2]| path.iter().all(|point| *point == path[0]);
+    let has_lines = paths.iter().any(|path| !is_dot(path));
+    let has_dots = paths.iter().any(|path| !path.is_empty() && is_dot(path));
     if !has_lines && !has_dots {
         return Ok(());
     }
@@ -26,7 +28,7 @@ pub(super) fn lines(
     if has_lines {
         document.raw("<path d=\"");
         let mut data = PathData::new(document, COORDINATE);
-        for path in paths.iter().filter(|path| path.len() > 1) {
+        for path in paths.iter().filter(|path| !is_dot(path)) {
             let closed = path.len() > 3 && path.first() == path.last();
             let last = if closed { path.len() - 1 } else { path.len() };
             data.move_to(path[0])?;
@@ -44,15 +46,15 @@ pub(super) fn lines(
     }
     if has_dots {
         document.raw("<path");
-        if pen.cap != Cap::Round {
-            document.raw(" stroke-linecap=\"round\"");
+        if pen.cap == Cap::Butt {
+            document.raw(" stroke-linecap=\"square\"");
         }
         if !pen.dash.is_empty() {
             document.raw(" stroke-dasharray=\"none\"");
         }
         document.raw(" d=\"");
         let mut data = PathData::new(document, COORDINATE);
-        for path in paths.iter().filter(|path| path.len() == 1) {
+        for path in paths.iter().filter(|path| !path.is_empty() && is_dot(path)) {
             data.move_to(path[0])?;
             data.stay();
         }

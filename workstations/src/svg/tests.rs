@@ -158,7 +158,7 @@ fn lines_are_relative_and_share_attributes() {
         text,
         "<g stroke=\"#000\">\n\
         <path d=\"m10 20 3 4.5v5.5h-12l.25.75\"/>\n\
-        <path stroke-linecap=\"round\" d=\"m5 6h0\"/>\n\
+        <path stroke-linecap=\"square\" d=\"m5 6h0\"/>\n\
         <path d=\"m1 1 1 1\"/>\n\
         <path d=\"m1 1 1 1-1-1m0 0h3v8z\"/>\n\
         </g>\n\
