@@ -1,3 +1,8 @@
 //! What the tests share that look at the system from outside.
 
+pub mod folder;
+#[path = "../pictures/mod.rs"]
+pub mod pictures;
 pub mod program;
+pub mod random;
+pub mod reader;
