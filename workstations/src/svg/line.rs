@@ -78,8 +78,9 @@ pub(super) fn area(
         paint(out, "fill", fill.colour);
         if rule == Rule::NonZero {
             out.extend_from_slice(b" fill-rule=\"nonzero\"");
-        } else if fill.colour.alpha >= 1.0 {
-            // Viewers antialias every area by itself: what is below would show between neighbours.
+        } else if fill.colour.alpha >= 1.0 && paths.iter().nth(1).is_none() {
+            // Viewers antialias every area by itself: what is below would show between neighbours. The cells of
+            // a pattern are many rings, which may run along one another with nothing between them.
             paint(out, "stroke", fill.colour);
             out.extend_from_slice(b" stroke-width=\".5\"");
         }
