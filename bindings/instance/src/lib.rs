@@ -50,7 +50,8 @@ impl Instance {
 
 static INSTANCE: Mutex<Option<Box<Instance>>> = Mutex::new(None);
 
-/// The error for a panic, which is our bug: the standard has no number for it, so the last of its system errors stands in.
+/// The error for a panic, which is our bug: the standard has no number for it, so the last of its system
+/// errors stands in.
 const SYSTEM_ERROR: i32 = 308;
 
 fn lock() -> MutexGuard<'static, Option<Box<Instance>>> {
