@@ -3,6 +3,7 @@
 
 use gks_pipeline::description::{Catalogue, Category, Description, OpenError};
 use gks_pipeline::device::{Device, DeviceError, Drawn, FrameBuffer, Mark, Page, Surface};
+use gks_pipeline::workstation::Backend;
 use gks_workstations::catalogue::Drivers;
 use gks_workstations::environment::Environment;
 use std::io;
@@ -76,11 +77,14 @@ impl Catalogue for Recording {
         Some(changed(number, self.drivers.describe(base(number))?))
     }
 
-    fn open(&mut self, number: i32, connection: &str) -> Result<(Box<dyn Device>, Description), OpenError> {
+    fn open(&mut self, number: i32, connection: &str) -> Result<(Backend, Description), OpenError> {
         self.log.push(format!("open {number} \"{connection}\""));
         let (device, description) = self.drivers.open(base(number), connection)?;
+        let Backend::Device(device) = device else {
+            return Ok((device, changed(number, description)));
+        };
         let recorded = Recorded { device, fault: number, log: self.log.clone() };
-        Ok((Box::new(recorded), changed(number, description)))
+        Ok((Backend::Device(Box::new(recorded)), changed(number, description)))
     }
 }
 

@@ -16,8 +16,8 @@ use crate::environment::Environment;
 use crate::options::{OptionError, Options, split_connection};
 use crate::{drivers, sink};
 use gks_pipeline::description::{Catalogue, Category, Description, OpenError};
-use gks_pipeline::device::Device;
 use gks_pipeline::generated::numbers::{WORKSTATION_TYPES, WorkstationType, workstation_type as own};
+use gks_pipeline::workstation::Backend;
 
 /// The workstation types of this installation, chosen as the environment says.
 #[derive(Debug)]
@@ -204,13 +204,13 @@ impl Catalogue for Drivers {
         selection.describe(number, &options).ok()
     }
 
-    fn open(&mut self, number: i32, connection: &str) -> Result<(Box<dyn Device>, Description), OpenError> {
+    fn open(&mut self, number: i32, connection: &str) -> Result<(Backend, Description), OpenError> {
         let (selection, target, options) = self.resolve(number, connection)?;
         let refused = |message| OpenError::Connection(connection.to_owned(), message);
         let description = selection.describe(number, &options).map_err(refused)?;
         if selection.kind.extension.is_empty() {
             let device = drivers::open(selection.kind, &options, None).map_err(refused)?;
-            return Ok((device, description));
+            return Ok((Backend::Device(device), description));
         }
         let invented = target.invented && (selection.redirected || self.environment.conid.is_some());
         let name = if invented { target.unused(&self.used) } else { target.name };
@@ -219,7 +219,7 @@ impl Catalogue for Drivers {
         if invented {
             self.used.push(name);
         }
-        Ok((device, description))
+        Ok((Backend::Device(device), description))
     }
 }
 

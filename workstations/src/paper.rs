@@ -4,7 +4,7 @@ use crate::options::Options;
 use gks_pipeline::colour::Colour;
 use gks_pipeline::description::{
     Category, Classification, DeferralMode, Description, DynamicModification, DynamicModifications,
-    RegenerationMode,
+    RegenerationMode, SegmentModifications,
 };
 use gks_pipeline::device::{Page, Surface};
 
@@ -63,6 +63,8 @@ pub(crate) fn description(number: i32, name: &'static str, options: &Options) ->
         },
         deferral: DeferralMode::Asti,
         regeneration: RegenerationMode::Suppressed,
+        segments: SegmentModifications::REDRAWN,
+        input: [0; 6],
     }
 }
 

@@ -26,6 +26,8 @@ pub struct Gks {
     /// Whether the geometric attributes in `look` have to be mapped again before they are used.
     pub(crate) geometry_stale: bool,
     pub(crate) normalization: Normalization,
+    /// The current pick identifier.
+    pub(crate) pick: i32,
     /// Open workstations by workstation identifier.
     pub(crate) workstations: BTreeMap<i32, OpenWorkstation>,
     pub(crate) paths: PathBuf<Ndc>,
@@ -78,6 +80,7 @@ impl Gks {
             geometry: Geometry::default(),
             geometry_stale: true,
             normalization: Normalization::default(),
+            pick: 0,
             workstations: BTreeMap::new(),
             paths: PathBuf::new(),
             on_message: None,
@@ -103,6 +106,7 @@ impl Gks {
         self.geometry = Geometry::default();
         self.geometry_stale = true;
         self.normalization = Normalization::default();
+        self.pick = 0;
     }
 
     /// Checks that `function` may be called in the current operating state.
@@ -131,7 +135,7 @@ impl Gks {
     ///
     /// A device that fails does not keep the others from drawing; the first failure is reported.
     pub(crate) fn output(&mut self, function: Function, shape: Shape<'_>) -> Result<()> {
-        let item = Item { shape, look: &self.look, clip: self.normalization.clip };
+        let item = Item { shape, look: &self.look, clip: self.normalization.clip, pick: self.pick };
         let mut failure = Ok(());
         for open in self.workstations.values_mut().filter(|open| open.active) {
             let drawn = open.workstation.draw(&item).map_err(|e| device_error(function, &e));

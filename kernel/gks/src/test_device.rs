@@ -5,13 +5,14 @@ use gks_geometry::{Du, Paths, Rect};
 use gks_pipeline::colour::{Colour, Paint};
 use gks_pipeline::description::{
     Catalogue, Category, Classification, DeferralMode, Description, DynamicModification,
-    DynamicModifications, OpenError, RegenerationMode,
+    DynamicModifications, OpenError, RegenerationMode, SegmentModifications,
 };
 use gks_pipeline::device::{
     Device, DeviceError, Drawn, Fill, Form, FrameBuffer, Grid, Mark, MarkerStyle, Page, Pen, Rule, Surface,
 };
 use gks_pipeline::item::{Curve, Ellipse, Parallelogram};
 use gks_pipeline::look::{Cap, Join};
+use gks_pipeline::workstation::Backend;
 use glam::DVec2;
 use std::io;
 use std::sync::{Arc, Mutex};
@@ -168,11 +169,13 @@ impl Catalogue for TestCatalogue {
             },
             deferral: DeferralMode::Asti,
             regeneration: RegenerationMode::Suppressed,
+            segments: SegmentModifications::REDRAWN,
+            input: [0; 6],
         })
     }
 
     /// The connections "nonsense" and "unwritable" fail.
-    fn open(&mut self, number: i32, connection: &str) -> Result<(Box<dyn Device>, Description), OpenError> {
+    fn open(&mut self, number: i32, connection: &str) -> Result<(Backend, Description), OpenError> {
         match connection {
             "nonsense" => return Err(OpenError::Connection(connection.into(), "has no meaning".into())),
             "unwritable" => return Err(OpenError::CannotOpen("no such directory".into())),
@@ -185,7 +188,7 @@ impl Catalogue for TestCatalogue {
             broken: number == BROKEN,
             log: self.log.clone(),
         };
-        Ok((Box::new(device), description))
+        Ok((Backend::Device(Box::new(device)), description))
     }
 }
 

@@ -95,7 +95,7 @@ impl Traversal<'_> {
         let paths = self.paths.as_paths();
         let shape = if area { Shape::FillArea(paths) } else { Shape::Polyline(paths) };
         let clip = if view.clip_xy { view.clip } else { Rect::UNIT };
-        self.workstation.draw(&Item { shape, look: &state.look, clip })
+        self.workstation.draw(&Item { shape, look: &state.look, clip, pick: 0 })
     }
 }
 

@@ -1,8 +1,9 @@
 //! The workstation description table: what a type of workstation is able to do.
 
-use crate::device::{Device, Surface};
+use crate::device::Surface;
 use crate::generated::numbers;
 use crate::look::enumeration;
+use crate::workstation::Backend;
 
 enumeration! {
     /// What a workstation is for.
@@ -90,6 +91,38 @@ pub struct DynamicModifications {
     pub transformation: DynamicModification,
 }
 
+/// How changes of segments become visible, in the order of the inquiry.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct SegmentModifications {
+    /// Segment transformation.
+    pub transformation: DynamicModification,
+    /// Visible segments that become invisible.
+    pub disappearing: DynamicModification,
+    /// Invisible segments that become visible.
+    pub appearing: DynamicModification,
+    /// Highlighting.
+    pub highlighting: DynamicModification,
+    /// Segment priority.
+    pub priority: DynamicModification,
+    /// Primitives added to the open segment where one of higher priority covers them.
+    pub adding: DynamicModification,
+    /// Deletion.
+    pub deletion: DynamicModification,
+}
+
+impl SegmentModifications {
+    /// Of a device that cannot take back what it has drawn: only what is added on top appears at once.
+    pub const REDRAWN: SegmentModifications = SegmentModifications {
+        transformation: DynamicModification::Irg,
+        disappearing: DynamicModification::Irg,
+        appearing: DynamicModification::Imm,
+        highlighting: DynamicModification::Irg,
+        priority: DynamicModification::Irg,
+        adding: DynamicModification::Imm,
+        deletion: DynamicModification::Irg,
+    };
+}
+
 /// The description of one workstation type. What all types share (linetypes, markers, fonts, predefined
 /// bundles) is in the generated numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -114,6 +147,10 @@ pub struct Description {
     pub deferral: DeferralMode,
     /// Implicit regeneration mode when opened.
     pub regeneration: RegenerationMode,
+    /// How changes of segments become visible.
+    pub segments: SegmentModifications,
+    /// Numbers of logical input devices: locators, strokes, valuators, choices, picks, strings.
+    pub input: [u32; 6],
 }
 
 impl Description {
@@ -154,6 +191,6 @@ pub trait Catalogue: Send {
     /// The description of a type as it is before a workstation of it is opened, if there is such a type.
     fn describe(&self, number: i32) -> Option<Description>;
 
-    /// Opens a device of a type. The description returned is that of the device opened.
-    fn open(&mut self, number: i32, connection: &str) -> Result<(Box<dyn Device>, Description), OpenError>;
+    /// Opens a workstation of a type. The description returned is that of the one opened.
+    fn open(&mut self, number: i32, connection: &str) -> Result<(Backend, Description), OpenError>;
 }

@@ -40,6 +40,7 @@
 
 use crate::colour::{Colour, Paint};
 use crate::font::OutlineFace;
+use crate::input::Input;
 use crate::item::{Curve, Parallelogram};
 use crate::look::{Cap, Join};
 use gks_geometry::{Du, Paths, Point, Rect, Vector};
@@ -68,6 +69,16 @@ pub trait Device: Send {
 
     /// The pixels of the page begun, where the device has any that can be read back.
     fn frame_buffer(&mut self) -> Option<&mut dyn FrameBuffer> {
+        None
+    }
+
+    /// Makes visible what has been drawn on the page begun, where somebody looks at it while it grows.
+    fn flush(&mut self) -> Result<(), DeviceError> {
+        Ok(())
+    }
+
+    /// What an operator acts on, where there is an operator.
+    fn input(&mut self) -> Option<&mut dyn Input> {
         None
     }
 }

@@ -17,6 +17,8 @@ pub struct Item<'a> {
     /// The clipping rectangle in force when the primitive was created; a segment transformation does not
     /// move it.
     pub clip: Rect<Ndc>,
+    /// The pick identifier.
+    pub pick: i32,
 }
 
 /// What an item draws.

@@ -89,9 +89,11 @@ mod tests {
     use super::*;
     use crate::description::{
         Category, DeferralMode, Description, DynamicModification, DynamicModifications, RegenerationMode,
+        SegmentModifications,
     };
     use crate::device::{Device, DeviceError, Drawn, Mark, Page, Surface};
     use crate::tables::Tables;
+    use crate::workstation::Backend;
 
     struct Blank(Surface);
 
@@ -137,8 +139,10 @@ mod tests {
             },
             deferral: DeferralMode::Asap,
             regeneration: RegenerationMode::Allowed,
+            segments: SegmentModifications::REDRAWN,
+            input: [0; 6],
         };
-        Workstation::new(Box::new(Blank(surface)), description, Tables::predefined())
+        Workstation::new(Backend::Device(Box::new(Blank(surface))), description, Tables::predefined())
     }
 
     #[test]

@@ -3,8 +3,10 @@
 use crate::colour::Colour;
 use crate::description::{DeferralMode, Description, DynamicModification, RegenerationMode};
 use crate::device::{Device, DeviceError, FrameBuffer, Page};
+use crate::input::Input;
 use crate::item::Item;
 use crate::painter::{Canvas, Painter};
+use crate::record::{Record, Recorder, Source};
 use crate::tables::Tables;
 use gks_geometry::{Dc, Du, Map, Ndc, Point, Rect};
 use glam::{DAffine2, DMat2, DVec2};
@@ -38,9 +40,30 @@ fn pixel(at: f64, length: f64, count: u32) -> f64 {
     if at == count { count - 1.0 } else { at.floor() }
 }
 
+/// What is behind a workstation.
+pub enum Backend {
+    /// A device: categories OUTPUT, OUTIN and INPUT.
+    Device(Box<dyn Device>),
+    /// A metafile that is written: category MO.
+    Recorder(Box<dyn Recorder>),
+    /// A metafile that is read: category MI.
+    Source(Box<dyn Source>),
+    /// Nothing but the segments that the kernel keeps: category WISS.
+    Storage,
+}
+
+impl Backend {
+    fn device(&mut self) -> Option<&mut dyn Device> {
+        match self {
+            Backend::Device(device) => Some(&mut **device),
+            _ => None,
+        }
+    }
+}
+
 /// An open workstation.
 pub struct Workstation {
-    device: Box<dyn Device>,
+    backend: Backend,
     description: Description,
     tables: Tables,
     requested: WorkstationTransformation,
@@ -59,12 +82,12 @@ pub struct Workstation {
 
 impl Workstation {
     /// A workstation on a device just opened, with the state that OPEN WORKSTATION sets.
-    pub fn new(device: Box<dyn Device>, description: Description, tables: Tables) -> Self {
+    pub fn new(backend: Backend, description: Description, tables: Tables) -> Self {
         let (width, height) = description.size();
         let whole =
             WorkstationTransformation { window: Rect::UNIT, viewport: Rect::new(0.0, width, 0.0, height) };
         let mut workstation = Workstation {
-            device,
+            backend,
             deferral: description.deferral,
             regeneration: description.regeneration,
             description,
@@ -138,14 +161,14 @@ impl Workstation {
     pub fn draw(&mut self, item: &Item<'_>) -> Result<(), DeviceError> {
         self.begin_page()?;
         self.empty = false;
-        let Workstation { device, description, tables, painter, map, current, .. } = self;
-        let mut canvas = Canvas {
-            device: &mut **device,
-            surface: &description.surface,
-            tables,
-            map: *map,
-            window: current.window,
+        let Workstation { backend, description, tables, painter, map, current, .. } = self;
+        let device = match backend {
+            Backend::Device(device) => &mut **device,
+            Backend::Recorder(recorder) => return recorder.draw(item),
+            Backend::Source(_) | Backend::Storage => return Ok(()),
         };
+        let mut canvas =
+            Canvas { device, surface: &description.surface, tables, map: *map, window: current.window };
         painter.paint(item, &mut canvas)
     }
 
@@ -221,7 +244,7 @@ impl Workstation {
     pub fn set_colour(&mut self, index: u32, colour: Colour) -> Result<(), DeviceError> {
         self.tables.colours.set(index, colour);
         if self.begun
-            && let Some(buffer) = self.device.frame_buffer()
+            && let Some(buffer) = self.backend.device().and_then(|device| device.frame_buffer())
         {
             buffer.set_colour(index, colour);
         }
@@ -235,10 +258,31 @@ impl Workstation {
         self.apply_antialiasing();
     }
 
+    /// Passes a control function on to a metafile.
+    pub fn control(&mut self, record: &Record<'_>) -> Result<(), DeviceError> {
+        match &mut self.backend {
+            Backend::Recorder(recorder) => recorder.control(record),
+            _ => Ok(()),
+        }
+    }
+
+    /// The metafile that is read.
+    pub fn source(&mut self) -> Option<&mut dyn Source> {
+        match &mut self.backend {
+            Backend::Source(source) => Some(&mut **source),
+            _ => None,
+        }
+    }
+
+    /// What an operator acts on, where there is an operator.
+    pub fn input(&mut self) -> Option<&mut dyn Input> {
+        self.backend.device()?.input()
+    }
+
     fn apply_antialiasing(&mut self) {
         if let Some(on) = self.antialiasing
             && self.begun
-            && let Some(buffer) = self.device.frame_buffer()
+            && let Some(buffer) = self.backend.device().and_then(|device| device.frame_buffer())
         {
             buffer.set_antialiasing(on);
         }
@@ -247,13 +291,13 @@ impl Workstation {
     /// The pixels of the display surface, where they can be read back.
     pub fn frame_buffer(&mut self) -> Result<Option<&mut dyn FrameBuffer>, DeviceError> {
         self.begin_page()?;
-        Ok(self.device.frame_buffer())
+        Ok(self.backend.device().and_then(|device| device.frame_buffer()))
     }
 
     /// What an inquiry reads pixels from, where they can be read back. Nothing is begun for it.
     pub fn read_back(&mut self) -> Option<ReadBack<'_>> {
         let (tables, size, begun) = (&self.tables, self.description.raster, self.begun);
-        let buffer = &*self.device.frame_buffer()?;
+        let buffer = &*self.backend.device()?.frame_buffer()?;
         Some(ReadBack { buffer: begun.then_some(buffer), tables, size })
     }
 
@@ -273,7 +317,11 @@ impl Workstation {
         // A program that draws nothing still finds the file it asked for.
         let begun = if self.pages == 0 { self.begin_page() } else { Ok(()) };
         let ended = self.end_page();
-        let closed = self.device.close();
+        let closed = match &mut self.backend {
+            Backend::Device(device) => device.close(),
+            Backend::Recorder(recorder) => recorder.close(),
+            Backend::Source(_) | Backend::Storage => Ok(()),
+        };
         begun.and(ended).and(closed)
     }
 
@@ -286,7 +334,9 @@ impl Workstation {
             background: self.tables.background(),
             colours: self.tables.colours.iter().collect(),
         };
-        self.device.begin(&page)?;
+        if let Some(device) = self.backend.device() {
+            device.begin(&page)?;
+        }
         self.pages += 1;
         self.begun = true;
         self.apply_antialiasing();
@@ -298,6 +348,6 @@ impl Workstation {
             return Ok(());
         }
         self.begun = false;
-        self.device.end()
+        self.backend.device().map_or(Ok(()), Device::end)
     }
 }

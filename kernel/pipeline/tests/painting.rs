@@ -7,7 +7,7 @@ use gks_pipeline::device::*;
 use gks_pipeline::item::*;
 use gks_pipeline::look::{Cap, InteriorStyle, Look};
 use gks_pipeline::tables::Tables;
-use gks_pipeline::workstation::Workstation;
+use gks_pipeline::workstation::{Backend, Workstation};
 use glam::DVec2;
 use std::sync::{Arc, Mutex};
 
@@ -103,13 +103,15 @@ fn with_surface(
         },
         deferral: DeferralMode::Asti,
         regeneration: RegenerationMode::Suppressed,
+        segments: SegmentModifications::REDRAWN,
+        input: [0; 6],
     };
     let device = Recorder { surface, accepts: accepts.to_vec(), clips, seen: seen.clone() };
-    (Workstation::new(Box::new(device), description, Tables::predefined()), seen)
+    (Workstation::new(Backend::Device(Box::new(device)), description, Tables::predefined()), seen)
 }
 
 fn draw(workstation: &mut Workstation, shape: Shape<'_>, look: &Look, clip: Rect<Ndc>) {
-    workstation.draw(&Item { shape, look, clip }).unwrap();
+    workstation.draw(&Item { shape, look, clip, pick: 0 }).unwrap();
 }
 
 fn path(points: &[(f64, f64)]) -> PathBuf<Ndc> {

@@ -6,6 +6,7 @@ use gks_pipeline::description::{Catalogue, Description, OpenError};
 use gks_pipeline::device::{Device, DeviceError, Drawn, Fill, Form, Mark, Page, Pen, Surface};
 use gks_pipeline::generated::numbers::workstation_type as own;
 use gks_pipeline::look::{Cap, Join};
+use gks_pipeline::workstation::Backend;
 use gks_tests::pictures::Picture;
 use gks_tests::reader;
 use gks_workstations::catalogue::Drivers;
@@ -281,13 +282,14 @@ impl Catalogue for Memory {
         (number == own::FRAMEBUFFER).then_some(description)
     }
 
-    fn open(&mut self, number: i32, _: &str) -> Result<(Box<dyn Device>, Description), OpenError> {
+    fn open(&mut self, number: i32, _: &str) -> Result<(Backend, Description), OpenError> {
         let description = self.describe(number).ok_or(OpenError::NoSuchType(number))?;
         let refused = |error: &dyn std::error::Error| OpenError::CannotOpen(error.to_string());
         let device = TrueColour::new(&options(), None).map_err(|error| refused(&error))?;
         *self.pixels.lock().map_err(|error| refused(&error))? = Some(device.shared());
         let surface = description.surface.clone();
-        Ok((Box::new(Limited { ability: self.ability, surface, inner: device }), description))
+        let limited = Limited { ability: self.ability, surface, inner: device };
+        Ok((Backend::Device(Box::new(limited)), description))
     }
 }
 

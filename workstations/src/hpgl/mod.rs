@@ -10,7 +10,7 @@ mod plot;
 use crate::options::Options;
 use gks_pipeline::description::{
     Category, Classification, DeferralMode, Description, DynamicModification, DynamicModifications,
-    RegenerationMode,
+    RegenerationMode, SegmentModifications,
 };
 use gks_pipeline::device::{Device, DeviceError, Drawn, Form, Mark, Page, Sink, Surface};
 use plot::Plot;
@@ -97,6 +97,8 @@ pub fn describe(number: i32, name: &'static str, options: &Options) -> Descripti
         },
         deferral: DeferralMode::Asti,
         regeneration: RegenerationMode::Suppressed,
+        segments: SegmentModifications::REDRAWN,
+        input: [0; 6],
     }
 }
 

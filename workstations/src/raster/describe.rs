@@ -3,7 +3,7 @@
 use crate::options::Options;
 use gks_pipeline::description::{
     Category, Classification, DeferralMode, Description, DynamicModification, DynamicModifications,
-    RegenerationMode,
+    RegenerationMode, SegmentModifications,
 };
 use gks_pipeline::device::Surface;
 
@@ -119,6 +119,8 @@ fn description(number: i32, name: &'static str, layout: Layout, colours: u32) ->
         },
         deferral: DeferralMode::Asti,
         regeneration: RegenerationMode::Suppressed,
+        segments: SegmentModifications::REDRAWN,
+        input: [0; 6],
     }
 }
 

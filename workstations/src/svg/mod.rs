@@ -23,7 +23,7 @@ use document::Document;
 use gks_pipeline::colour::Colour;
 use gks_pipeline::description::{
     Category, Classification, DeferralMode, Description, DynamicModification, DynamicModifications,
-    RegenerationMode,
+    RegenerationMode, SegmentModifications,
 };
 use gks_pipeline::device::{
     Device, DeviceError, Drawn, Fill, Form, Mark, MarkerStyle, Page, Pen, Sink, Surface,
@@ -98,6 +98,8 @@ pub fn describe(number: i32, name: &'static str, options: &Options) -> Descripti
         },
         deferral: DeferralMode::Asti,
         regeneration: RegenerationMode::Suppressed,
+        segments: SegmentModifications::REDRAWN,
+        input: [0; 6],
     }
 }
 
