@@ -8,6 +8,7 @@ mod coverage;
 mod error_text;
 mod fortran_include;
 mod function;
+mod fuzz_calls;
 mod header;
 mod numbers;
 mod samples;
@@ -41,6 +42,7 @@ const OUTPUTS: &[(&str, Generator)] = &[
     ("bindings/fortran/include/gkspar.inc", fortran_include::generate_demonstration),
     ("bindings/fortran/src/generated/unbuilt.rs", wrappers::generate),
     ("tests/conformance/generated.rs", samples::generate),
+    ("tests/fuzz/src/generated.rs", fuzz_calls::generate),
 ];
 
 fn main() -> ExitCode {
