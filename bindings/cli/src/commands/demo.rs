@@ -6,6 +6,7 @@ use gks::Gks;
 use gks_pipeline::description::{Catalogue, Category};
 use gks_pipeline::generated::numbers::WORKSTATION_TYPES;
 use gks_workstations::catalogue::Drivers;
+use gks_workstations::environment::Environment;
 use phigs::Phigs;
 use std::fs;
 use std::path::Path;
@@ -29,6 +30,11 @@ pub fn run(on: &str, folder: &Path) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// The devices as the command line chooses them: of the environment only `GKS_OPTIONS` counts.
+fn own_choice() -> Drivers {
+    Drivers::new(Environment { options: Environment::from_process().options, ..Environment::default() })
+}
+
 /// What tells apart the files of devices that share an extension.
 fn variant(name: &str, extension: &str) -> String {
     if name == extension || name == "hpgl" || name == "jpeg" || name == "tiff" {
@@ -40,7 +46,7 @@ fn variant(name: &str, extension: &str) -> String {
 
 /// The workstation types with their names and extensions.
 fn devices(on: &str) -> Result<Vec<(i32, &'static str, &'static str)>, Failure> {
-    let drivers = Drivers::from_process();
+    let drivers = own_choice();
     let all: Vec<i32> = drivers.types().into_iter().filter(|&t| t != 0).collect();
     let chosen: Vec<i32> = if on == "all" {
         all
@@ -73,7 +79,7 @@ fn show(name: &str, file: &Path, picture: impl FnOnce() -> Result<(), Failure>) 
 
 /// The demonstration picture of GKS.
 pub fn gks_picture(kind: i32, file: &Path) -> Result<(), Failure> {
-    let mut gks = Gks::open(Box::new(Drivers::from_process()));
+    let mut gks = Gks::open(Box::new(own_choice()));
     gks.open_workstation(1, &file.to_string_lossy(), kind)?;
     gks.activate_workstation(1)?;
     demo::draw(&mut gks, 1)?;
@@ -85,7 +91,7 @@ pub fn gks_picture(kind: i32, file: &Path) -> Result<(), Failure> {
 
 /// The demonstration picture of PHIGS.
 pub fn phigs_picture(kind: i32, file: &Path) -> Result<(), Failure> {
-    let mut phigs = Phigs::open(Box::new(Drivers::from_process()));
+    let mut phigs = Phigs::open(Box::new(own_choice()));
     phigs.open_workstation(1, &file.to_string_lossy(), kind)?;
     towers::draw(&mut phigs, 1)?;
     phigs.close_workstation(1)?;
