@@ -1,6 +1,9 @@
 //! Sinks: where drivers write. Files appear under their names only when they are complete.
 
+mod pipe;
+
 use gks_pipeline::device::Sink;
+use pipe::Patient;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -71,7 +74,7 @@ enum State {
     /// A document is being written.
     Writing(Draft),
     /// A device is written directly.
-    Direct(BufWriter<File>),
+    Direct(BufWriter<Patient<File>>),
 }
 
 impl FileSink {
@@ -82,7 +85,7 @@ impl FileSink {
     pub fn create(name: &str) -> io::Result<FileSink> {
         let state = if is_special(Path::new(name)) {
             let file = OpenOptions::new().append(true).open(name).map_err(naming(name))?;
-            State::Direct(BufWriter::with_capacity(BUFFER, file))
+            State::Direct(BufWriter::with_capacity(BUFFER, Patient(file)))
         } else {
             State::Ready(Draft::create(&document_name(name, 1))?)
         };
@@ -288,12 +291,12 @@ impl Sink for MemorySink {
 
 /// A sink that writes to the standard output, all documents one after the other.
 #[derive(Debug)]
-pub struct StdoutSink(BufWriter<io::Stdout>);
+pub struct StdoutSink(BufWriter<Patient<io::Stdout>>);
 
 impl StdoutSink {
     /// The sink.
     pub fn new() -> StdoutSink {
-        StdoutSink(BufWriter::with_capacity(BUFFER, io::stdout()))
+        StdoutSink(BufWriter::with_capacity(BUFFER, Patient(io::stdout())))
     }
 }
 
