@@ -8,7 +8,8 @@
 //! | a number of the active dialect | what the dialect means by it; metafiles and windows like 0 |
 //! | a number of our own | that type |
 //!
-//! Where a dialect is active or `GKS_WSTYPE_FORCE` is set, `GKS_WSTYPE` replaces every type that draws.
+//! Where a dialect is active or `GKS_WSTYPE_FORCE` is set, `GKS_WSTYPE` replaces every type that draws. It never
+//! replaces segment storage, nor can it name it.
 
 use crate::connection::{self, Target};
 use crate::dialect::{Dialect, Meaning};
@@ -31,8 +32,8 @@ pub struct Drivers {
 #[derive(Clone, Debug)]
 struct Selection {
     kind: &'static WorkstationType,
-    /// The category that the program expects.
-    category: Category,
+    /// The category that the program expects, where the number is one of another implementation.
+    category: Option<Category>,
     /// Options that belong to the number.
     preset: &'static str,
     /// Options that belong to the choice of the user.
@@ -49,7 +50,7 @@ impl Selection {
     /// The description under the number that the program knows.
     fn describe(&self, number: i32, options: &Options) -> Result<Description, String> {
         let description = drivers::describe(self.kind, options)?;
-        Ok(Description { number, category: self.category, ..description })
+        Ok(Description { number, category: self.category.unwrap_or(description.category), ..description })
     }
 }
 
@@ -95,15 +96,15 @@ impl Drivers {
             Some(Meaning::Chosen) => wish(default(), "", None),
             Some(Meaning::Missing) => Err(no_such_name(text)),
             None => match by_text(base) {
-                Some((kind, is_file)) => wish(kind, "", is_file.then_some(base)),
-                None => Err(no_such_name(text)),
+                Some((kind, is_file)) if kind.number != own::WISS => wish(kind, "", is_file.then_some(base)),
+                _ => Err(no_such_name(text)),
             },
         }
     }
 
     fn select(&self, number: i32, dialect: Dialect, wish: Option<Wish<'_>>) -> Option<Selection> {
         let foreign = dialect.find(number);
-        let category = foreign.map_or(Category::Output, |foreign| foreign.category);
+        let category = foreign.map(|foreign| foreign.category);
         let meaning = match foreign {
             Some(foreign) => foreign.meaning,
             None if number == own::DEFAULT => Meaning::Chosen,
@@ -115,10 +116,12 @@ impl Drivers {
         let forced = dialect != Dialect::Iso || self.environment.force;
         let (kind, preset) = match meaning {
             Meaning::Missing => return None,
-            Meaning::Own(number, preset) if !forced || wish.is_none() => (by_number(number)?, preset),
+            Meaning::Own(number, preset) if !forced || wish.is_none() || number == own::WISS => {
+                (by_number(number)?, preset)
+            }
             _ => wish.as_ref().map_or((default(), ""), |wish| (wish.kind, wish.preset)),
         };
-        let chosen = forced || meaning == Meaning::Chosen;
+        let chosen = kind.number != own::WISS && (forced || meaning == Meaning::Chosen);
         let wish = wish.filter(|_| chosen);
         Some(Selection {
             kind,
@@ -208,6 +211,9 @@ impl Catalogue for Drivers {
         let (selection, target, options) = self.resolve(number, connection)?;
         let refused = |message| OpenError::Connection(connection.to_owned(), message);
         let description = selection.describe(number, &options).map_err(refused)?;
+        if selection.kind.number == own::WISS {
+            return Ok((Backend::Storage, description));
+        }
         if selection.kind.extension.is_empty() {
             let device = drivers::open(selection.kind, &options, None).map_err(refused)?;
             return Ok((Backend::Device(device), description));
@@ -255,7 +261,8 @@ fn by_text(text: &str) -> Option<(&'static WorkstationType, bool)> {
 }
 
 fn no_such_name(text: &str) -> OpenError {
-    let names: Vec<&str> = WORKSTATION_TYPES.iter().map(|kind| kind.name).collect();
+    let drawing = WORKSTATION_TYPES.iter().filter(|kind| kind.number != own::WISS);
+    let names: Vec<&str> = drawing.map(|kind| kind.name).collect();
     let names = names.join(", ");
     OpenError::CannotOpen(format!("GKS_WSTYPE={text}: no such workstation type; the types are {names}"))
 }

@@ -24,7 +24,7 @@ pub(crate) enum Meaning {
     Chosen,
     /// A type of our own, with options.
     Own(i32, &'static str),
-    /// Nothing yet: segment storage and metafile input.
+    /// Nothing yet: metafile input.
     Missing,
 }
 
@@ -53,7 +53,7 @@ const fn landscape(first: i32, last: i32, number: i32) -> Foreign {
 /// NCAR Graphics 6: 20 to 31 are PostScript, EPS and EPSI, in colour and monochrome, portrait first.
 const NCAR: &[Foreign] = &[
     foreign(1, 1, Category::MetafileOutput, Meaning::Chosen),
-    foreign(3, 3, Category::Wiss, Meaning::Missing),
+    foreign(3, 3, Category::Wiss, Meaning::Own(own::WISS, "")),
     foreign(7, 8, Category::OutIn, Meaning::Chosen),
     foreign(10, 10, Category::Output, Meaning::Chosen),
     output(11, 11, own::PDF),
@@ -78,7 +78,7 @@ const XGKS: &[Foreign] = &[foreign(2, 2, Category::OutIn, Meaning::Chosen)];
 const GR: &[Foreign] = &[
     foreign(2, 2, Category::MetafileOutput, Meaning::Chosen),
     foreign(3, 3, Category::MetafileInput, Meaning::Missing),
-    foreign(5, 5, Category::Wiss, Meaning::Missing),
+    foreign(5, 5, Category::Wiss, Meaning::Own(own::WISS, "")),
     foreign(7, 8, Category::MetafileOutput, Meaning::Chosen),
     foreign(41, 41, Category::OutIn, Meaning::Chosen),
     foreign(51, 51, Category::OutIn, Meaning::Chosen),

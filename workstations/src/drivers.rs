@@ -7,7 +7,7 @@ use crate::pdf::{self, Pdf};
 use crate::postscript::{self, PostScript};
 use crate::raster::{self, Format, Indexed, SizeError, TrueColour};
 use crate::svg::{self, Svg};
-use gks_pipeline::description::Description;
+use gks_pipeline::description::{Category, Description};
 use gks_pipeline::device::{Device, Sink};
 use gks_pipeline::generated::numbers::{WorkstationType, workstation_type as own};
 
@@ -34,6 +34,10 @@ pub(crate) fn describe(kind: &WorkstationType, options: &Options) -> Result<Desc
             raster::true_colour(number, name, options).map_err(|error| error.to_string())
         }
         own::HPGL => Ok(hpgl::describe(number, name, options)),
+        own::WISS => {
+            let storage = raster::true_colour(number, name, &Options::default());
+            storage.map(|d| Description { category: Category::Wiss, ..d }).map_err(|error| error.to_string())
+        }
         _ => Err(unavailable(kind)),
     }
 }

@@ -22,6 +22,11 @@ impl Device for Null {
         &self.surface
     }
 
+    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
+        self.begin(page)?;
+        Ok(Drawn::Yes)
+    }
+
     fn begin(&mut self, _page: &Page) -> Result<(), DeviceError> {
         Ok(())
     }

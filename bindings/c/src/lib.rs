@@ -22,6 +22,7 @@ mod frame_buffer;
 mod inquiry;
 mod metafile;
 mod output;
+mod segment;
 mod store;
 mod transformation;
 mod types;

@@ -153,6 +153,14 @@ impl<const N: usize> Output<[bool; N]> for Array<c_int, N> {
     }
 }
 
+/// The rows of a matrix, as an array M(2,3), whose columns follow one another.
+impl Output<[[f64; 3]; 2]> for Array<f32, 6> {
+    fn put(self, [first, second]: [[f64; 3]; 2]) -> c_int {
+        self.0.set_from(0, first.into_iter().zip(second).flat_map(|(a, b)| [a as f32, b as f32]));
+        0
+    }
+}
+
 /// Abscissae and ordinates apart.
 impl<S: Space, const N: usize> Output<[Point<S>; N]> for (Array<f32, N>, Array<f32, N>) {
     fn put(self, value: [Point<S>; N]) -> c_int {

@@ -1,6 +1,8 @@
 //! Arguments of Fortran subroutines: addresses of variables, arrays and character strings.
 
-use gks::{CoordinateSwitch, Error, Function, RelativePriority, ValueType};
+use gks::{
+    CoordinateSwitch, Detectability, Error, Function, Highlighting, RelativePriority, ValueType, Visibility,
+};
 use gks_pipeline::description::{
     Category, Classification, DeferralMode, DynamicModification, RegenerationMode,
 };
@@ -167,6 +169,7 @@ macro_rules! enumerations {
 enumerations! {
     Category, Classification, DeferralMode, DynamicModification, RegenerationMode,
     Horizontal, InteriorStyle, Precision, TextPath, Vertical, ValueType,
+    Visibility, Highlighting, Detectability,
 }
 
 macro_rules! pairs {

@@ -29,6 +29,7 @@ mod metafile;
 mod ncar;
 mod output;
 mod representation;
+mod segment;
 mod transformation;
 mod unbuilt;
 mod generated {

@@ -73,7 +73,7 @@ extern "C" fn gactm_(
 }
 
 /// The rows of an array M(2,3), whose columns follow one another.
-fn matrix(array: Real) -> [[f64; 3]; 2] {
+pub(crate) fn matrix(array: Real) -> [[f64; 3]; 2] {
     let elements = array.slice(0, 6);
     [0, 1].map(|row| [0, 1, 2].map(|column| elements[2 * column + row].into()))
 }

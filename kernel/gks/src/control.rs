@@ -31,7 +31,8 @@ impl Gks {
     /// installation. Type 0 is the type that the user of the program chose.
     ///
     /// Errors: 8, 20 (identifier not positive), 21 (connection), 22 (negative type), 23 (no such type),
-    /// 24 (identifier in use), 26 (cannot be opened), 42 (too many workstations).
+    /// 24 (identifier in use), 26 (cannot be opened), 28 (segment storage is open already), 42 (too many
+    /// workstations).
     pub fn open_workstation(&mut self, id: i32, connection: &str, kind: i32) -> Result<()> {
         const F: Function = Function::OpenWorkstation;
         self.check_state(F)?;
@@ -41,11 +42,14 @@ impl Gks {
         if kind < 0 {
             return Err(Error::new(22, F).because(format!("workstation type {kind}")));
         }
-        if self.catalogue.describe(kind).is_none() {
+        let Some(description) = self.catalogue.describe(kind) else {
             return Err(Error::new(23, F).because(format!("workstation type {kind}")));
-        }
+        };
         if self.workstations.contains_key(&id) {
             return Err(Error::new(24, F).because(format!("workstation identifier {id}")));
+        }
+        if description.category == Category::Wiss && self.storage().is_some() {
+            return Err(Error::new(28, F));
         }
         if self.workstations.len() >= numbers::MAX_OPEN_WORKSTATIONS as usize {
             return Err(Error::new(42, F));
@@ -69,9 +73,11 @@ impl Gks {
         Ok(())
     }
 
-    /// CLOSE WORKSTATION: completes the picture and closes the device.
+    /// CLOSE WORKSTATION: completes the picture and closes the device. Segments that are associated with no
+    /// other workstation are deleted.
     ///
-    /// The workstation is closed even if completing the picture fails. Errors: 7, 20, 25, 29 (active), 303.
+    /// A necessary new frame is made, unless primitives outside of segments would be lost with it: nobody is
+    /// there to see them vanish. The workstation is closed even if completing the picture fails. Errors: 7, 20, 25, 29 (active), 303.
     pub fn close_workstation(&mut self, id: i32) -> Result<()> {
         const F: Function = Function::CloseWorkstation;
         self.check_state(F)?;
@@ -82,11 +88,14 @@ impl Gks {
     }
 
     fn remove_workstation(&mut self, function: Function, id: i32) -> Result<()> {
-        let Some(open) = self.workstations.remove(&id) else { return Ok(()) };
+        let Some(mut open) = self.workstations.remove(&id) else { return Ok(()) };
+        let worth = open.workstation.is_worth_redrawing();
+        let redrawn = if worth { open.workstation.redraw(self.segments.on(id)) } else { Ok(()) };
+        self.segments.forget(id);
         if self.workstations.is_empty() {
             self.state = OperatingState::Gkop;
         }
-        open.workstation.close().map_err(|e| device_error(function, &e))
+        redrawn.and(open.workstation.close()).map_err(|e| device_error(function, &e))
     }
 
     /// ACTIVATE WORKSTATION: output goes to the workstation from now on.
@@ -129,24 +138,70 @@ impl Gks {
     }
 
     /// CLEAR WORKSTATION: starts a new picture. What was drawn is completed; nothing is written for a
-    /// picture in which nothing was drawn.
+    /// picture in which nothing was drawn. Segments that are associated with no other workstation are deleted.
     ///
     /// `always` has a display surface cleared that has been read but not drawn on; no page is written for one
     /// that has not even been read. Errors: 6, 20, 25, 33, 35, 303.
     pub fn clear_workstation(&mut self, id: i32, always: bool) -> Result<()> {
         const F: Function = Function::ClearWorkstation;
         self.check_state(F)?;
-        self.suitable_workstation(F, id)?.clear(always).map_err(|e| device_error(F, &e))
+        let cleared = self.suitable_workstation(F, id)?.clear(always).map_err(|e| device_error(F, &e));
+        self.segments.forget(id);
+        cleared
     }
 
     /// UPDATE WORKSTATION: makes all output visible and, if `perform` is set and a new frame is necessary,
-    /// starts the new frame.
+    /// draws the picture again as REDRAW ALL SEGMENTS ON WORKSTATION does.
     ///
     /// Errors: 7, 20, 25, 33, 35, 36, 303.
     pub fn update_workstation(&mut self, id: i32, perform: bool) -> Result<()> {
         const F: Function = Function::UpdateWorkstation;
         self.check_state(F)?;
-        self.suitable_workstation(F, id)?.update(perform).map_err(|e| device_error(F, &e))
+        self.suitable_workstation(F, id)?;
+        let Some(open) = self.workstations.get_mut(&id) else { return Ok(()) };
+        open.workstation.update(perform, self.segments.on(id)).map_err(|e| device_error(F, &e))
+    }
+
+    /// REDRAW ALL SEGMENTS ON WORKSTATION: clears the display surface, lets the requested workstation
+    /// transformation take effect and draws all visible segments in the order of their priority.
+    ///
+    /// What was drawn outside of segments is lost. A picture in memory or in a file that is not complete is
+    /// replaced; where pages have gone to paper or into a stream the new picture is on the next page.
+    /// Errors: 7, 20, 25, 33, 35, 36, 303.
+    pub fn redraw_all_segments_on_workstation(&mut self, id: i32) -> Result<()> {
+        const F: Function = Function::RedrawAllSegmentsOnWorkstation;
+        self.check_state(F)?;
+        self.suitable_workstation(F, id)?;
+        self.regenerate(F, id)
+    }
+
+    /// Draws the picture of a workstation again.
+    pub(crate) fn regenerate(&mut self, function: Function, id: i32) -> Result<()> {
+        let Some(open) = self.workstations.get_mut(&id) else { return Ok(()) };
+        open.workstation.redraw(self.segments.on(id)).map_err(|e| device_error(function, &e))
+    }
+
+    /// Makes a regeneration that is due and not deferred.
+    pub(crate) fn settle(&mut self, function: Function, id: i32) -> Result<()> {
+        let workstation = self.workstations.get(&id).map(|open| &open.workstation);
+        let now = workstation.is_some_and(|w| w.is_prompt() && w.is_regeneration_due());
+        if now { self.regenerate(function, id) } else { Ok(()) }
+    }
+
+    /// Makes visible what may not wait for an interaction with a workstation: everything deferred there, and
+    /// on workstations whose deferral mode is BNIG.
+    pub fn before_interaction(&mut self, function: Function, with: i32) -> Result<()> {
+        let mut failure = Ok(());
+        for (&id, OpenWorkstation { workstation, .. }) in &mut self.workstations {
+            if id != with && workstation.deferral().0 != DeferralMode::Bnig {
+                continue;
+            }
+            let due = workstation.is_regeneration_due();
+            let done = if due { workstation.redraw(self.segments.on(id)) } else { Ok(()) };
+            let done = done.and(workstation.flush());
+            failure = failure.and(done.map_err(|e| device_error(function, &e)));
+        }
+        failure
     }
 
     /// SET DEFERRAL STATE: how long output may be delayed, and whether changes may redraw the picture
@@ -162,7 +217,11 @@ impl Gks {
         const F: Function = Function::SetDeferralState;
         self.check_state(F)?;
         let workstation = self.suitable_workstation(F, id)?;
-        workstation.set_deferral(deferral, regeneration).map_err(|e| device_error(F, &e))
+        let deferred = workstation.is_regeneration_due();
+        let allowed = regeneration == RegenerationMode::Allowed;
+        let set = workstation.set_deferral(deferral, regeneration).map_err(|e| device_error(F, &e));
+        // What was due is not given up by forbidding it.
+        if deferred && !allowed { self.regenerate(F, id).and(set) } else { self.settle(F, id).and(set) }
     }
 
     /// MESSAGE: passes a text to the user of a workstation, beside the picture.
@@ -180,6 +239,9 @@ impl Gks {
 
     /// EMERGENCY CLOSE GKS: completes and closes whatever is open, in any state.
     pub fn emergency_close_gks(&mut self) {
+        if self.state == OperatingState::Sgop {
+            let _ = self.end_segment(Function::EmergencyCloseGks);
+        }
         let ids: Vec<i32> = self.workstations.keys().copied().collect();
         for id in ids {
             // Each workstation is closed as well as possible; there is nobody left to hear of failures.

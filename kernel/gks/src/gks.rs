@@ -7,6 +7,7 @@ use gks_geometry::{Ndc, PathBuf};
 use gks_pipeline::description::Catalogue;
 use gks_pipeline::item::{Item, Shape};
 use gks_pipeline::look::Look;
+use gks_pipeline::segment::Segments;
 use gks_pipeline::workstation::Workstation;
 use std::collections::BTreeMap;
 
@@ -30,6 +31,9 @@ pub struct Gks {
     pub(crate) pick: i32,
     /// Open workstations by workstation identifier.
     pub(crate) workstations: BTreeMap<i32, OpenWorkstation>,
+    pub(crate) segments: Segments,
+    /// The segment that primitives go to, in the state SGOP.
+    pub(crate) open_segment: Option<OpenSegment>,
     pub(crate) paths: PathBuf<Ndc>,
     pub(crate) on_message: Option<MessageHandler>,
 }
@@ -43,6 +47,14 @@ pub(crate) struct OpenWorkstation {
     pub(crate) connection: String,
     pub(crate) kind: i32,
     pub(crate) active: bool,
+}
+
+/// The open segment.
+#[derive(Copy, Clone, Debug)]
+pub(crate) struct OpenSegment {
+    pub(crate) name: i32,
+    /// Whether a workstation is associated that draws from the segments of the kernel, as metafiles do not.
+    pub(crate) stored: bool,
 }
 
 /// The initial values that implementations and dialects choose differently.
@@ -82,6 +94,8 @@ impl Gks {
             normalization: Normalization::default(),
             pick: 0,
             workstations: BTreeMap::new(),
+            segments: Segments::new(),
+            open_segment: None,
             paths: PathBuf::new(),
             on_message: None,
         }
@@ -107,6 +121,8 @@ impl Gks {
         self.geometry_stale = true;
         self.normalization = Normalization::default();
         self.pick = 0;
+        self.segments = Segments::new();
+        self.open_segment = None;
     }
 
     /// Checks that `function` may be called in the current operating state.
@@ -131,15 +147,59 @@ impl Gks {
         }
     }
 
-    /// Draws a primitive with the current attributes on every active workstation.
+    /// Draws a primitive with the current attributes on every active workstation, and keeps it in the open
+    /// segment.
     ///
     /// A device that fails does not keep the others from drawing; the first failure is reported.
     pub(crate) fn output(&mut self, function: Function, shape: Shape<'_>) -> Result<()> {
         let item = Item { shape, look: &self.look, clip: self.normalization.clip, pick: self.pick };
+        let target = Target {
+            workstations: &mut self.workstations,
+            segments: &mut self.segments,
+            open_segment: self.open_segment,
+        };
+        target.draw(function, &item)
+    }
+}
+
+/// Where primitives go.
+pub(crate) struct Target<'a> {
+    pub(crate) workstations: &'a mut BTreeMap<i32, OpenWorkstation>,
+    pub(crate) segments: &'a mut Segments,
+    pub(crate) open_segment: Option<OpenSegment>,
+}
+
+impl Target<'_> {
+    /// Draws a primitive on every active workstation, and keeps it in the open segment.
+    pub(crate) fn draw(self, function: Function, item: &Item<'_>) -> Result<()> {
+        let Target { workstations, segments, open_segment } = self;
+        let failed = |e| device_error(function, &e);
         let mut failure = Ok(());
-        for open in self.workstations.values_mut().filter(|open| open.active) {
-            let drawn = open.workstation.draw(&item).map_err(|e| device_error(function, &e));
-            failure = failure.and(drawn);
+        let active = workstations.iter_mut().filter(|(_, open)| open.active);
+        let Some(OpenSegment { name, stored }) = open_segment else {
+            for (&id, OpenWorkstation { workstation, .. }) in active {
+                // What is deferred comes first.
+                if workstation.is_regeneration_due() {
+                    failure = failure.and(workstation.redraw(segments.on(id)).map_err(failed));
+                }
+                failure = failure.and(workstation.draw(item).map_err(failed));
+            }
+            return failure;
+        };
+        let Some(segment) = segments.get_mut(name) else { return Ok(()) };
+        if stored {
+            segment.recording.push(item);
+        }
+        let (visible, appearance) = (segment.visible, segment.appearance);
+        for (&id, OpenWorkstation { workstation, .. }) in active {
+            // What will be drawn with the whole picture need not be drawn now.
+            if !(workstation.is_recorder() || visible && !workstation.is_regeneration_due()) {
+                continue;
+            }
+            failure = failure.and(workstation.draw_in_segment(item, &appearance).map_err(failed));
+            if !workstation.is_new_frame_necessary() && segments.is_covered(name, id) {
+                workstation.invalidate();
+            }
         }
         failure
     }

@@ -17,6 +17,7 @@ mod normalization;
 mod output;
 mod points;
 mod representation;
+mod segment;
 #[cfg(test)]
 mod test_device;
 mod workstation_transformation;
@@ -34,3 +35,4 @@ pub use crate::inquiry::{
 pub use crate::matrix::CoordinateSwitch;
 pub use crate::normalization::{NormalizationTransformation, RelativePriority};
 pub use crate::points::Points;
+pub use crate::segment::{Detectability, Highlighting, SegmentAttributes, Visibility};

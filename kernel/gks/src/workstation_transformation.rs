@@ -24,7 +24,8 @@ impl Gks {
         if !Rect::UNIT.contains_rect(&window) {
             return Err(Error::new(53, F).because(format!("limits {:?}", window.limits())));
         }
-        workstation.set_window(window).map_err(|e| device_error(F, &e))
+        let set = workstation.set_window(window).map_err(|e| device_error(F, &e));
+        self.settle(F, id).and(set)
     }
 
     /// SET WORKSTATION VIEWPORT: the part of the display surface, in metres from its lower left corner, that
@@ -48,7 +49,8 @@ impl Gks {
         if !Rect::new(0.0, width, 0.0, height).contains_rect(&viewport) {
             return Err(Error::new(54, F).because(format!("limits {:?}", given.limits())));
         }
-        workstation.set_viewport(viewport).map_err(|e| device_error(F, &e))
+        let set = workstation.set_viewport(viewport).map_err(|e| device_error(F, &e));
+        self.settle(F, id).and(set)
     }
 }
 
@@ -61,7 +63,7 @@ fn on_edge(at: f64, size: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::test_device::{CATEGORIES, Drawing, INDEXED, PLAIN, active, closed, number, open};
-    use gks_pipeline::description::{Category, RegenerationMode};
+    use gks_pipeline::description::{Category, DeferralMode, RegenerationMode};
     use glam::dvec2;
 
     const DIAGONAL: [(f64, f64); 2] = [(0.0, 0.0), (1.0, 1.0)];
@@ -145,6 +147,12 @@ mod tests {
         let (deferral, _) = gks.workstations[&1].workstation.deferral();
         gks.set_deferral_state(1, deferral, RegenerationMode::Allowed).unwrap();
         gks.set_workstation_window(1, (0.0, 1.0, 0.0, 1.0)).unwrap();
+        // Deferred until the next output.
+        assert!(gks.workstations[&1].workstation.is_pending());
+        gks.polyline(&DIAGONAL).unwrap();
+        assert!(!gks.workstations[&1].workstation.is_pending());
+        gks.set_deferral_state(1, DeferralMode::Asap, RegenerationMode::Allowed).unwrap();
+        gks.set_workstation_window(1, (0.0, 0.5, 0.0, 0.5)).unwrap();
         assert!(!gks.workstations[&1].workstation.is_pending());
     }
 

@@ -58,6 +58,13 @@ pub trait Device: Send {
     /// Starts a page with an empty display surface.
     fn begin(&mut self, page: &Page) -> Result<(), DeviceError>;
 
+    /// Starts the page begun over, with an empty display surface, where nobody has received any of it yet;
+    /// [`Drawn::No`] leaves it as it is. So a picture that is drawn again takes the place of the old one.
+    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
+        let _ = page;
+        Ok(Drawn::No)
+    }
+
     /// Draws a mark over what is there, or refuses it untouched.
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError>;
 

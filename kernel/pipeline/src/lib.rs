@@ -18,5 +18,7 @@ pub mod lower;
 pub mod painter;
 mod realized;
 pub mod record;
+pub mod recording;
+pub mod segment;
 pub mod tables;
 pub mod workstation;

@@ -46,8 +46,10 @@ pub struct Canvas<'a> {
     pub surface: &'a Surface,
     /// The tables of the workstation.
     pub tables: &'a Tables,
-    /// The current workstation transformation, down to device units.
+    /// The segment transformation and the current workstation transformation, down to device units.
     pub map: Map<Ndc, Du>,
+    /// The current workstation transformation alone, which is the one for clipping rectangles.
+    pub clip_map: Map<Ndc, Du>,
     /// The current workstation window, which always clips.
     pub window: Rect<Ndc>,
 }
@@ -85,7 +87,7 @@ impl Painter {
     /// Paints an item.
     pub fn paint(&mut self, item: &Item<'_>, canvas: &mut Canvas<'_>) -> Result<(), DeviceError> {
         let Some(clip) = item.clip.intersection(&canvas.window) else { return Ok(()) };
-        let clip = canvas.map.rect(&clip);
+        let clip = canvas.clip_map.rect(&clip);
         match item.shape {
             Shape::Polyline(paths) => self.polyline(paths, item.look, &clip, canvas),
             Shape::Polymarker(positions) => self.polymarker(positions, item.look, &clip, canvas),
@@ -173,7 +175,7 @@ impl Painter {
         canvas: &mut Canvas<'_>,
     ) -> Result<(), DeviceError> {
         let style = lower::marker::style(look, canvas);
-        let window = canvas.map.rect(&canvas.window);
+        let window = canvas.clip_map.rect(&canvas.window);
         let mut mapped = std::mem::take(&mut self.mapped);
         mapped.clear();
         let inside = |p: &DVec2| clip.contains(gks_geometry::Point::from_vec(*p));

@@ -2,11 +2,13 @@
 
 use crate::colour::Colour;
 use crate::description::{DeferralMode, Description, DynamicModification, RegenerationMode};
-use crate::device::{Device, DeviceError, FrameBuffer, Page};
+use crate::device::{Device, DeviceError, Drawn, FrameBuffer, Page};
 use crate::input::Input;
 use crate::item::Item;
 use crate::painter::{Canvas, Painter};
 use crate::record::{Record, Recorder, Source};
+use crate::recording::Recording;
+use crate::segment::{Appearance, Segment};
 use crate::tables::Tables;
 use gks_geometry::{Dc, Du, Map, Ndc, Point, Rect};
 use glam::{DAffine2, DMat2, DVec2};
@@ -72,6 +74,8 @@ pub struct Workstation {
     deferral: DeferralMode,
     regeneration: RegenerationMode,
     empty: bool,
+    /// Whether primitives outside of segments have been drawn on the page.
+    loose: bool,
     new_frame_necessary: bool,
     pages: u32,
     begun: bool,
@@ -96,6 +100,7 @@ impl Workstation {
             current: whole,
             pending: false,
             empty: true,
+            loose: false,
             new_frame_necessary: false,
             pages: 0,
             begun: false,
@@ -157,8 +162,48 @@ impl Workstation {
         Map::window_into_viewport(&self.current.window, &self.current.viewport)
     }
 
-    /// Draws an item.
+    /// Whether the workstation is a metafile that is written.
+    pub fn is_recorder(&self) -> bool {
+        matches!(self.backend, Backend::Recorder(_))
+    }
+
+    /// Draws a primitive that is in no segment.
     pub fn draw(&mut self, item: &Item<'_>) -> Result<(), DeviceError> {
+        self.loose = true;
+        self.paint(item, &Appearance::PLAIN)?;
+        self.present()
+    }
+
+    /// Draws a primitive of the open segment, over what is there.
+    pub fn draw_in_segment(&mut self, item: &Item<'_>, appearance: &Appearance) -> Result<(), DeviceError> {
+        self.paint(item, appearance)?;
+        self.present()
+    }
+
+    /// Draws a segment, over what is there.
+    pub fn draw_segment(&mut self, segment: &Segment) -> Result<(), DeviceError> {
+        let drawn = self.paint_segment(segment, &segment.appearance);
+        drawn.and(self.present())
+    }
+
+    /// Draws the primitives of a segment so that they belong to none: COPY SEGMENT TO WORKSTATION.
+    pub fn copy_segment(&mut self, segment: &Segment) -> Result<(), DeviceError> {
+        self.loose = true;
+        if self.is_recorder() {
+            let mut copy = Recording::new();
+            for item in &segment.recording {
+                copy.clear();
+                copy.push_mapped(&item, &segment.appearance.transformation);
+                copy.iter().try_for_each(|item| self.paint(&item, &Appearance::PLAIN))?;
+            }
+            return Ok(());
+        }
+        let appearance = Appearance { highlighted: false, ..segment.appearance };
+        let drawn = self.paint_segment(segment, &appearance);
+        drawn.and(self.present())
+    }
+
+    fn paint(&mut self, item: &Item<'_>, appearance: &Appearance) -> Result<(), DeviceError> {
         self.begin_page()?;
         self.empty = false;
         let Workstation { backend, description, tables, painter, map, current, .. } = self;
@@ -167,8 +212,14 @@ impl Workstation {
             Backend::Recorder(recorder) => return recorder.draw(item),
             Backend::Source(_) | Backend::Storage => return Ok(()),
         };
-        let mut canvas =
-            Canvas { device, surface: &description.surface, tables, map: *map, window: current.window };
+        let mut canvas = Canvas {
+            device,
+            surface: &description.surface,
+            tables,
+            map: appearance.transformation.then(map),
+            clip_map: *map,
+            window: current.window,
+        };
         painter.paint(item, &mut canvas)
     }
 
@@ -179,18 +230,95 @@ impl Workstation {
     /// clear, and nothing is written for it.
     pub fn clear(&mut self, always: bool) -> Result<(), DeviceError> {
         let done = if always || !self.empty { self.end_page() } else { Ok(()) };
-        self.empty = true;
-        self.new_frame_necessary = false;
-        self.adopt_requested();
+        self.start_frame();
         done
     }
 
-    /// Makes all that was drawn visible; starts a new frame if one is necessary and `perform` is set.
-    pub fn update(&mut self, perform: bool) -> Result<(), DeviceError> {
-        if perform && self.new_frame_necessary { self.clear(true) } else { Ok(()) }
+    /// Draws the picture again: clears the display surface, lets the requested transformation take effect
+    /// and draws the visible ones of `segments`, which are those of this workstation in the order of drawing.
+    /// Primitives outside of segments are lost.
+    ///
+    /// The new picture takes the place of the old one where the device is able to start a page over
+    /// ([`Device::erase`]); elsewhere the old one is complete and the new one is on the next page. A picture
+    /// that consists of primitives outside of segments alone is never replaced by nothing: it is complete, too.
+    pub fn redraw<'s>(
+        &mut self,
+        segments: impl Iterator<Item = &'s Segment> + Clone,
+    ) -> Result<(), DeviceError> {
+        if let Backend::Recorder(recorder) = &mut self.backend {
+            recorder.control(&Record::RedrawAllSegments)?;
+            self.start_frame();
+            return Ok(());
+        }
+        let replaced = !self.loose || segments.clone().next().is_some();
+        let mut done = if self.empty || (replaced && self.erase_page()?) { Ok(()) } else { self.end_page() };
+        self.start_frame();
+        for segment in segments.filter(|segment| segment.is_shown()) {
+            // A segment that fails does not keep the others from being drawn.
+            done = done.and(self.paint_segment(segment, &segment.appearance));
+        }
+        done.and(self.present())
     }
 
-    /// Sets deferral mode and implicit regeneration mode.
+    fn paint_segment(&mut self, segment: &Segment, appearance: &Appearance) -> Result<(), DeviceError> {
+        segment.recording.iter().try_for_each(|item| self.paint(&item, appearance))
+    }
+
+    /// Makes all that was drawn visible; draws the picture again if that is necessary and `perform` is set,
+    /// as [`Workstation::redraw`] does.
+    pub fn update<'s>(
+        &mut self,
+        perform: bool,
+        segments: impl Iterator<Item = &'s Segment> + Clone,
+    ) -> Result<(), DeviceError> {
+        if perform && self.new_frame_necessary { self.redraw(segments) } else { self.flush() }
+    }
+
+    /// The state of a display surface that was cleared.
+    fn start_frame(&mut self) {
+        self.empty = true;
+        self.loose = false;
+        self.new_frame_necessary = false;
+        self.adopt_requested();
+    }
+
+    /// Notes that what is drawn is no longer what the segments and the tables say. On an empty display
+    /// surface there is nothing to note; else a new frame is necessary, which is due at once or at the next
+    /// output where implicit regeneration is ALLOWED: see [`Workstation::is_regeneration_due`].
+    pub fn invalidate(&mut self) {
+        if !self.empty && !self.is_recorder() {
+            self.new_frame_necessary = true;
+        }
+    }
+
+    /// Whether a necessary new frame is made unasked: before a primitive outside of segments is drawn at
+    /// the latest, and at once where the deferral mode is ASAP.
+    pub fn is_regeneration_due(&self) -> bool {
+        self.new_frame_necessary && self.regeneration == RegenerationMode::Allowed
+    }
+
+    /// Whether output is to be visible at once.
+    pub fn is_prompt(&self) -> bool {
+        self.deferral == DeferralMode::Asap
+    }
+
+    /// Makes all that was drawn visible, where somebody looks at the page while it grows.
+    pub fn flush(&mut self) -> Result<(), DeviceError> {
+        if self.begun { self.backend.device().map_or(Ok(()), Device::flush) } else { Ok(()) }
+    }
+
+    /// Makes what was just drawn visible unless that is deferred.
+    #[inline]
+    fn present(&mut self) -> Result<(), DeviceError> {
+        if self.is_prompt() { self.flush() } else { Ok(()) }
+    }
+
+    /// Whether [`Workstation::redraw`] at the end would show what is drawn and more, and lose nothing.
+    pub fn is_worth_redrawing(&self) -> bool {
+        self.new_frame_necessary && !self.loose
+    }
+
+    /// Sets deferral mode and implicit regeneration mode. A regeneration may become due.
     pub fn set_deferral(
         &mut self,
         deferral: DeferralMode,
@@ -198,29 +326,30 @@ impl Workstation {
     ) -> Result<(), DeviceError> {
         self.deferral = deferral;
         self.regeneration = regeneration;
-        self.update(regeneration == RegenerationMode::Allowed)
+        self.present()
     }
 
-    /// Asks for another workstation window.
+    /// Asks for another workstation window. A regeneration may become due.
     pub fn set_window(&mut self, window: Rect<Ndc>) -> Result<(), DeviceError> {
         self.requested.window = window;
-        self.transformation_changed()
+        self.transformation_changed();
+        Ok(())
     }
 
-    /// Asks for another workstation viewport, in metres.
+    /// Asks for another workstation viewport, in metres. A regeneration may become due.
     pub fn set_viewport(&mut self, viewport: Rect<Dc>) -> Result<(), DeviceError> {
         self.requested.viewport = viewport;
-        self.transformation_changed()
+        self.transformation_changed();
+        Ok(())
     }
 
-    fn transformation_changed(&mut self) -> Result<(), DeviceError> {
+    fn transformation_changed(&mut self) {
         if self.empty || self.description.dynamic.transformation == DynamicModification::Imm {
             self.adopt_requested();
-            return Ok(());
+            return;
         }
         self.pending = true;
         self.new_frame_necessary = true;
-        self.update(self.regeneration == RegenerationMode::Allowed)
     }
 
     fn adopt_requested(&mut self) {
@@ -329,11 +458,7 @@ impl Workstation {
         if self.begun {
             return Ok(());
         }
-        let page = Page {
-            number: self.pages + 1,
-            background: self.tables.background(),
-            colours: self.tables.colours.iter().collect(),
-        };
+        let page = self.page(self.pages + 1);
         if let Some(device) = self.backend.device() {
             device.begin(&page)?;
         }
@@ -341,6 +466,21 @@ impl Workstation {
         self.begun = true;
         self.apply_antialiasing();
         Ok(())
+    }
+
+    fn page(&self, number: u32) -> Page {
+        Page { number, background: self.tables.background(), colours: self.tables.colours.iter().collect() }
+    }
+
+    /// Starts the page over where the device can. Whether it is empty now.
+    fn erase_page(&mut self) -> Result<bool, DeviceError> {
+        let page = self.page(self.pages);
+        let erased = match self.backend.device() {
+            Some(device) => device.erase(&page)? == Drawn::Yes,
+            None => true,
+        };
+        self.apply_antialiasing();
+        Ok(erased)
     }
 
     fn end_page(&mut self) -> Result<(), DeviceError> {

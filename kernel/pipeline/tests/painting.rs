@@ -339,7 +339,7 @@ fn workstation_transformation_waits_for_an_empty_surface() {
     ws.set_window(Rect::new(0.0, 0.5, 0.0, 0.5)).unwrap();
     assert!(ws.is_pending() && ws.is_new_frame_necessary());
     assert_eq!(ws.current().window, Rect::UNIT);
-    ws.update(true).unwrap();
+    ws.update(true, std::iter::empty()).unwrap();
     assert!(!ws.is_pending() && ws.is_empty());
     ws.set_viewport(Rect::<Dc>::new(0.0, 0.2, 0.0, 0.4)).unwrap();
     draw(&mut ws, Shape::Polyline(line.as_paths()), &Look::default(), Rect::UNIT);

@@ -177,8 +177,10 @@ fn the_state_lists_are_checked() {
 
 #[test]
 fn the_numbers_are_checked() {
-    expect("workstation type 100 occurs twice", |t| t.numbers.workstation_type[2].number = 100);
-    expect("workstation type png: 1 is reserved for wiss", |t| t.numbers.workstation_type[1].number = 1);
+    expect("workstation type 100 occurs twice", |t| t.numbers.workstation_type[3].number = 100);
+    expect("workstation type wiss: 599 is reserved for interactive", |t| {
+        t.numbers.workstation_type[1].number = 599;
+    });
     expect("linetype dashed: dashes and gaps", |t| t.numbers.linetype[1].dashes.push(3.0));
     expect("hatch style horizontal: the lines", |t| t.numbers.hatch[0].angles[0] = 180.0);
     expect("pattern checkerboard: not a rectangle", |t| t.numbers.pattern[0].rows[1].push('1'));

@@ -230,6 +230,11 @@ impl Device for Indexed {
         &self.surface
     }
 
+    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
+        self.begin(page)?;
+        Ok(Drawn::Yes)
+    }
+
     fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
         self.table = LookUpTable::default();
         for &(index, colour) in &page.colours {

@@ -184,6 +184,11 @@ impl Device for TrueColour {
         &self.surface
     }
 
+    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
+        self.begin(page)?;
+        Ok(Drawn::Yes)
+    }
+
     fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
         let background = match (self.transparent, self.background) {
             (true, _) => Colour { alpha: 0.0, ..Colour::BLACK },

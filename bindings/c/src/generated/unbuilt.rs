@@ -8,94 +8,10 @@ use crate::unbuilt::{refuse, refusal};
 use gks::Function;
 use std::ffi::{c_char, c_void};
 
-/// REDRAW ALL SEGMENTS ON WORKSTATION.
-#[unsafe(no_mangle)]
-extern "C" fn gredraw_all_segs_ws(_ws_id: Gint) {
-    refuse(Function::RedrawAllSegmentsOnWorkstation);
-}
-
 /// SET PICK IDENTIFIER.
 #[unsafe(no_mangle)]
 extern "C" fn gset_pick_id(_pick_id: Gint) {
     refuse(Function::SetPickIdentifier);
-}
-
-/// CREATE SEGMENT.
-#[unsafe(no_mangle)]
-extern "C" fn gcreate_seg(_seg_name: Gint) {
-    refuse(Function::CreateSegment);
-}
-
-/// CLOSE SEGMENT.
-#[unsafe(no_mangle)]
-extern "C" fn gclose_seg() {
-    refuse(Function::CloseSegment);
-}
-
-/// RENAME SEGMENT.
-#[unsafe(no_mangle)]
-extern "C" fn grename_seg(_old_seg_name: Gint, _new_seg_name: Gint) {
-    refuse(Function::RenameSegment);
-}
-
-/// DELETE SEGMENT.
-#[unsafe(no_mangle)]
-extern "C" fn gdel_seg(_seg_name: Gint) {
-    refuse(Function::DeleteSegment);
-}
-
-/// DELETE SEGMENT FROM WORKSTATION.
-#[unsafe(no_mangle)]
-extern "C" fn gdel_seg_ws(_ws_id: Gint, _seg_name: Gint) {
-    refuse(Function::DeleteSegmentFromWorkstation);
-}
-
-/// ASSOCIATE SEGMENT WITH WORKSTATION.
-#[unsafe(no_mangle)]
-extern "C" fn gassoc_seg_ws(_ws_id: Gint, _seg_name: Gint) {
-    refuse(Function::AssociateSegmentWithWorkstation);
-}
-
-/// COPY SEGMENT TO WORKSTATION.
-#[unsafe(no_mangle)]
-extern "C" fn gcopy_seg_ws(_ws_id: Gint, _seg_name: Gint) {
-    refuse(Function::CopySegmentToWorkstation);
-}
-
-/// INSERT SEGMENT.
-#[unsafe(no_mangle)]
-extern "C" fn ginsert_seg(_seg_name: Gint, _tran_matrix: *const c_void) {
-    refuse(Function::InsertSegment);
-}
-
-/// SET SEGMENT TRANSFORMATION.
-#[unsafe(no_mangle)]
-extern "C" fn gset_seg_tran(_seg_name: Gint, _tran_matrix: *const c_void) {
-    refuse(Function::SetSegmentTransformation);
-}
-
-/// SET VISIBILITY.
-#[unsafe(no_mangle)]
-extern "C" fn gset_vis(_seg_name: Gint, _seg_vis: Gint) {
-    refuse(Function::SetVisibility);
-}
-
-/// SET HIGHLIGHTING.
-#[unsafe(no_mangle)]
-extern "C" fn gset_highl(_seg_name: Gint, _seg_highl: Gint) {
-    refuse(Function::SetHighlighting);
-}
-
-/// SET SEGMENT PRIORITY.
-#[unsafe(no_mangle)]
-extern "C" fn gset_seg_pri(_seg_name: Gint, _seg_pri: Gdouble) {
-    refuse(Function::SetSegmentPriority);
-}
-
-/// SET DETECTABILITY.
-#[unsafe(no_mangle)]
-extern "C" fn gset_det(_seg_name: Gint, _seg_det: Gint) {
-    refuse(Function::SetDetectability);
 }
 
 /// INITIALISE LOCATOR.
@@ -334,26 +250,11 @@ extern "C" fn ginq_cur_pick_id(err_ind: Out<Gint>, pick_id: Out<Gint>) {
     err_ind.set(refusal(Function::InquireCurrentPickIdentifierValue));
 }
 
-/// INQUIRE NAME OF OPEN SEGMENT.
-#[unsafe(no_mangle)]
-extern "C" fn ginq_name_open_seg(err_ind: Out<Gint>, name_open_seg: Out<Gint>) {
-    name_open_seg.clear();
-    err_ind.set(refusal(Function::InquireNameOfOpenSegment));
-}
-
 /// INQUIRE MORE SIMULTANEOUS EVENTS.
 #[unsafe(no_mangle)]
 extern "C" fn ginq_more_simult_events(err_ind: Out<Gint>, simult_events: Out<Gint>) {
     simult_events.clear();
     err_ind.set(refusal(Function::InquireMoreSimultaneousEvents));
-}
-
-/// INQUIRE SET OF SEGMENT NAMES ON WORKSTATION.
-#[unsafe(no_mangle)]
-extern "C" fn ginq_set_seg_names_ws(_ws_id: Gint, _num_elems_appl_list: Gint, _start_pos: Gint, err_ind: Out<Gint>, seg_names: Out<Gint_list>, length_list: Out<Gint>) {
-    seg_names.count().clear();
-    length_list.clear();
-    err_ind.set(refusal(Function::InquireSetOfSegmentNamesOnWorkstation));
 }
 
 /// INQUIRE LOCATOR DEVICE STATE.
@@ -437,20 +338,6 @@ extern "C" fn ginq_string_st(_ws_id: Gint, _string_num: Gint, _store: *const c_v
     err_ind.set(refusal(Function::InquireStringDeviceState));
 }
 
-/// INQUIRE NUMBER OF SEGMENT PRIORITIES SUPPORTED.
-#[unsafe(no_mangle)]
-extern "C" fn ginq_num_seg_pris(_ws_type: Gint, err_ind: Out<Gint>, num_pri: Out<Gint>) {
-    num_pri.clear();
-    err_ind.set(refusal(Function::InquireNumberOfSegmentPrioritiesSupported));
-}
-
-/// INQUIRE DYNAMIC MODIFICATION OF SEGMENT ATTRIBUTES.
-#[unsafe(no_mangle)]
-extern "C" fn ginq_dyn_mod_seg_attrs(_ws_type: Gint, err_ind: Out<Gint>, dyn_mod: Out<Gdyn_mod_seg_attrs>) {
-    dyn_mod.clear();
-    err_ind.set(refusal(Function::InquireDynamicModificationOfSegmentAttributes));
-}
-
 /// INQUIRE NUMBER OF AVAILABLE LOGICAL INPUT DEVICES.
 #[unsafe(no_mangle)]
 extern "C" fn ginq_num_avail_in(_ws_type: Gint, err_ind: Out<Gint>, num_in: Out<Gnum_in>) {
@@ -520,21 +407,6 @@ extern "C" fn ginq_def_string_data(_ws_type: Gint, _string_num: Gint, _store: *c
     init_pos.clear();
     string_data.clear();
     err_ind.set(refusal(Function::InquireDefaultStringDeviceData));
-}
-
-/// INQUIRE SET OF ASSOCIATED WORKSTATIONS.
-#[unsafe(no_mangle)]
-extern "C" fn ginq_set_assoc_wss(_seg_name: Gint, _num_elems_appl_list: Gint, _start_pos: Gint, err_ind: Out<Gint>, assoc_ws: Out<Gint_list>, length_list: Out<Gint>) {
-    assoc_ws.count().clear();
-    length_list.clear();
-    err_ind.set(refusal(Function::InquireSetOfAssociatedWorkstations));
-}
-
-/// INQUIRE SEGMENT ATTRIBUTES.
-#[unsafe(no_mangle)]
-extern "C" fn ginq_seg_attrs(_seg_name: Gint, err_ind: Out<Gint>, seg_attrs: Out<Gseg_attrs>) {
-    seg_attrs.clear();
-    err_ind.set(refusal(Function::InquireSegmentAttributes));
 }
 
 /// INQUIRE INPUT QUEUE OVERFLOW.

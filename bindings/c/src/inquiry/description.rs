@@ -3,9 +3,9 @@
 use crate::argument::{In, Out, Part, inquire, integer};
 use crate::store::{self, Gstore};
 use crate::types::{
-    Gcolr_facs, Gdisp_space_size, Gdyn_mod_ws_attrs, Gfill_bundle, Gfill_facs, Gfloat, Gfloat_size, Gint,
-    Gint_list, Gint_size, Gline_bundle, Gline_facs, Gmarker_bundle, Gmarker_facs, Gmax_ws_st_tables,
-    Gpat_rep, Grgb, Gtext_bundle, Gtext_facs, Gtext_font_prec,
+    Gcolr_facs, Gdisp_space_size, Gdyn_mod_seg_attrs, Gdyn_mod_ws_attrs, Gfill_bundle, Gfill_facs, Gfloat,
+    Gfloat_size, Gint, Gint_list, Gint_size, Gline_bundle, Gline_facs, Gmarker_bundle, Gmarker_facs,
+    Gmax_ws_st_tables, Gpat_rep, Grgb, Gtext_bundle, Gtext_facs, Gtext_font_prec,
 };
 use gks::Function;
 
@@ -48,6 +48,18 @@ inquiries! {
             pat_rep: dynamic.patterns as Gint,
             colr_rep: dynamic.colours as Gint,
             ws_tran: dynamic.transformation as Gint,
+        };
+    ginq_num_seg_pris(Gint) InquireNumberOfSegmentPrioritiesSupported
+        => inquire_number_of_segment_priorities_supported, integer;
+    ginq_dyn_mod_seg_attrs(Gdyn_mod_seg_attrs) InquireDynamicModificationOfSegmentAttributes
+        => inquire_dynamic_modification_of_segment_attributes, |dynamic| Gdyn_mod_seg_attrs {
+            tran: dynamic.transformation as Gint,
+            vis_invis: dynamic.disappearing as Gint,
+            invis_vis: dynamic.appearing as Gint,
+            highl: dynamic.highlighting as Gint,
+            pri: dynamic.priority as Gint,
+            add: dynamic.adding as Gint,
+            del: dynamic.deletion as Gint,
         };
     ginq_pat_facs(Gint) InquirePatternFacilities => inquire_pattern_facilities, integer;
     ginq_colr_facs(Gcolr_facs) InquireColourFacilities => inquire_colour_facilities, |facilities| Gcolr_facs {

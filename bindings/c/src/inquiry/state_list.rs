@@ -168,9 +168,5 @@ list_inquiries! {
     ginq_set_active_wss InquireSetOfActiveWorkstations => |gks| gks.inquire_set_of_active_workstations()?;
     ginq_list_norm_tran_nums InquireListOfNormalizationTransformationNumbers
         => |gks| gks.inquire_list_of_normalization_transformation_numbers()?.iter().copied();
-    ginq_set_seg_names InquireSetOfSegmentNamesInUse => |gks| {
-        // There are no segments.
-        gks_instance::check_state(gks, F)?;
-        std::iter::empty()
-    };
+    ginq_set_seg_names InquireSetOfSegmentNamesInUse => |gks| gks.inquire_set_of_segment_names_in_use()?;
 }

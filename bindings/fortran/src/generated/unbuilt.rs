@@ -7,94 +7,10 @@ use crate::data_record::LINE;
 use crate::unbuilt::{refusal, refuse};
 use gks::Function;
 
-/// GRSGWK: REDRAW ALL SEGMENTS ON WORKSTATION.
-#[unsafe(no_mangle)]
-extern "C" fn grsgwk_(_wkid: Integer) {
-    refuse(Function::RedrawAllSegmentsOnWorkstation);
-}
-
 /// GSPKID: SET PICK IDENTIFIER.
 #[unsafe(no_mangle)]
 extern "C" fn gspkid_(_pkid: Integer) {
     refuse(Function::SetPickIdentifier);
-}
-
-/// GCRSG: CREATE SEGMENT.
-#[unsafe(no_mangle)]
-extern "C" fn gcrsg_(_sgna: Integer) {
-    refuse(Function::CreateSegment);
-}
-
-/// GCLSG: CLOSE SEGMENT.
-#[unsafe(no_mangle)]
-extern "C" fn gclsg_() {
-    refuse(Function::CloseSegment);
-}
-
-/// GRENSG: RENAME SEGMENT.
-#[unsafe(no_mangle)]
-extern "C" fn grensg_(_old: Integer, _new: Integer) {
-    refuse(Function::RenameSegment);
-}
-
-/// GDSG: DELETE SEGMENT.
-#[unsafe(no_mangle)]
-extern "C" fn gdsg_(_sgna: Integer) {
-    refuse(Function::DeleteSegment);
-}
-
-/// GDSGWK: DELETE SEGMENT FROM WORKSTATION.
-#[unsafe(no_mangle)]
-extern "C" fn gdsgwk_(_wkid: Integer, _sgna: Integer) {
-    refuse(Function::DeleteSegmentFromWorkstation);
-}
-
-/// GASGWK: ASSOCIATE SEGMENT WITH WORKSTATION.
-#[unsafe(no_mangle)]
-extern "C" fn gasgwk_(_wkid: Integer, _sgna: Integer) {
-    refuse(Function::AssociateSegmentWithWorkstation);
-}
-
-/// GCSGWK: COPY SEGMENT TO WORKSTATION.
-#[unsafe(no_mangle)]
-extern "C" fn gcsgwk_(_wkid: Integer, _sgna: Integer) {
-    refuse(Function::CopySegmentToWorkstation);
-}
-
-/// GINSG: INSERT SEGMENT.
-#[unsafe(no_mangle)]
-extern "C" fn ginsg_(_sgna: Integer, _m: Real) {
-    refuse(Function::InsertSegment);
-}
-
-/// GSSGT: SET SEGMENT TRANSFORMATION.
-#[unsafe(no_mangle)]
-extern "C" fn gssgt_(_sgna: Integer, _m: Real) {
-    refuse(Function::SetSegmentTransformation);
-}
-
-/// GSVIS: SET VISIBILITY.
-#[unsafe(no_mangle)]
-extern "C" fn gsvis_(_sgna: Integer, _vis: Integer) {
-    refuse(Function::SetVisibility);
-}
-
-/// GSHLIT: SET HIGHLIGHTING.
-#[unsafe(no_mangle)]
-extern "C" fn gshlit_(_sgna: Integer, _hil: Integer) {
-    refuse(Function::SetHighlighting);
-}
-
-/// GSSGP: SET SEGMENT PRIORITY.
-#[unsafe(no_mangle)]
-extern "C" fn gssgp_(_sgna: Integer, _prior: Real) {
-    refuse(Function::SetSegmentPriority);
-}
-
-/// GSDTEC: SET DETECTABILITY.
-#[unsafe(no_mangle)]
-extern "C" fn gsdtec_(_sgna: Integer, _det: Integer) {
-    refuse(Function::SetDetectability);
 }
 
 /// GINLC: INITIALISE LOCATOR.
@@ -379,26 +295,11 @@ extern "C" fn gqpkid_(errind: Integer, pkid: Integer) {
     errind.set(refusal(Function::InquireCurrentPickIdentifierValue));
 }
 
-/// GQOPSG: INQUIRE NAME OF OPEN SEGMENT.
-#[unsafe(no_mangle)]
-extern "C" fn gqopsg_(errind: Integer, sgna: Integer) {
-    sgna.fill(1, 0);
-    errind.set(refusal(Function::InquireNameOfOpenSegment));
-}
-
 /// GQSIM: INQUIRE MORE SIMULTANEOUS EVENTS.
 #[unsafe(no_mangle)]
 extern "C" fn gqsim_(errind: Integer, flag: Integer) {
     flag.fill(1, 0);
     errind.set(refusal(Function::InquireMoreSimultaneousEvents));
-}
-
-/// GQSGWK: INQUIRE SET OF SEGMENT NAMES ON WORKSTATION.
-#[unsafe(no_mangle)]
-extern "C" fn gqsgwk_(_wkid: Integer, _n: Integer, errind: Integer, ol: Integer, sgna: Integer) {
-    ol.fill(1, 0);
-    sgna.fill(1, 0);
-    errind.set(refusal(Function::InquireSetOfSegmentNamesOnWorkstation));
 }
 
 /// GQLCS: INQUIRE LOCATOR DEVICE STATE.
@@ -509,26 +410,6 @@ extern "C" fn gqstss_(_wkid: Integer, _stdnr: Integer, mldr: Integer, errind: In
     errind.set(refusal(Function::InquireStringDeviceState));
 }
 
-/// GQSGP: INQUIRE NUMBER OF SEGMENT PRIORITIES SUPPORTED.
-#[unsafe(no_mangle)]
-extern "C" fn gqsgp_(_wtype: Integer, errind: Integer, nsg: Integer) {
-    nsg.fill(1, 0);
-    errind.set(refusal(Function::InquireNumberOfSegmentPrioritiesSupported));
-}
-
-/// GQDSGA: INQUIRE DYNAMIC MODIFICATION OF SEGMENT ATTRIBUTES.
-#[unsafe(no_mangle)]
-extern "C" fn gqdsga_(_wtype: Integer, errind: Integer, sgtr: Integer, vonoff: Integer, voffon: Integer, high: Integer, sgpr: Integer, add: Integer, sgdel: Integer) {
-    sgtr.fill(1, 0);
-    vonoff.fill(1, 0);
-    voffon.fill(1, 0);
-    high.fill(1, 0);
-    sgpr.fill(1, 0);
-    add.fill(1, 0);
-    sgdel.fill(1, 0);
-    errind.set(refusal(Function::InquireDynamicModificationOfSegmentAttributes));
-}
-
 /// GQLI: INQUIRE NUMBER OF AVAILABLE LOGICAL INPUT DEVICES.
 #[unsafe(no_mangle)]
 extern "C" fn gqli_(_wtype: Integer, errind: Integer, nlcd: Integer, nskd: Integer, nvld: Integer, nchd: Integer, npcd: Integer, nstd: Integer) {
@@ -615,25 +496,6 @@ extern "C" fn gqdst_(_wtype: Integer, _devno: Integer, _n: Integer, mldr: Intege
     ldr.fill(1, 0);
     datrec.fill(mldr.count() * LINE, b' ');
     errind.set(refusal(Function::InquireDefaultStringDeviceData));
-}
-
-/// GQASWK: INQUIRE SET OF ASSOCIATED WORKSTATIONS.
-#[unsafe(no_mangle)]
-extern "C" fn gqaswk_(_sgna: Integer, _n: Integer, errind: Integer, ol: Integer, wkid: Integer) {
-    ol.fill(1, 0);
-    wkid.fill(1, 0);
-    errind.set(refusal(Function::InquireSetOfAssociatedWorkstations));
-}
-
-/// GQSGA: INQUIRE SEGMENT ATTRIBUTES.
-#[unsafe(no_mangle)]
-extern "C" fn gqsga_(_sgna: Integer, errind: Integer, segtm: Real, vis: Integer, high: Integer, sgpr: Real, det: Integer) {
-    segtm.fill(2 * 3, 0.0);
-    vis.fill(1, 0);
-    high.fill(1, 0);
-    sgpr.fill(1, 0.0);
-    det.fill(1, 0);
-    errind.set(refusal(Function::InquireSegmentAttributes));
 }
 
 /// GQIQOV: INQUIRE INPUT QUEUE OVERFLOW.

@@ -8,6 +8,7 @@ mod facilities;
 mod gks_description;
 mod pixels;
 mod representation;
+mod segment;
 mod state_list;
 mod text_extent;
 mod workstation;

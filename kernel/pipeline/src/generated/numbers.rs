@@ -207,6 +207,8 @@ pub const ERROR_LEVEL_NOT_BUILT: i32 = -3100;
 pub mod workstation_type {
     /// What the environment names, else png.
     pub const DEFAULT: i32 = 0;
+    /// Workstation independent segment storage.
+    pub const WISS: i32 = 1;
     /// PNG image, true colour.
     pub const PNG: i32 = 100;
     /// JPEG image.
@@ -242,6 +244,7 @@ pub mod workstation_type {
 /// The workstation types.
 pub static WORKSTATION_TYPES: &[WorkstationType] = &[
     WorkstationType { number: 0, name: "default", extension: "", colours: 65536, meaning: "what the environment names, else png" },
+    WorkstationType { number: 1, name: "wiss", extension: "", colours: 65536, meaning: "workstation independent segment storage" },
     WorkstationType { number: 100, name: "png", extension: "png", colours: 65536, meaning: "PNG image, true colour" },
     WorkstationType { number: 101, name: "jpeg", extension: "jpg", colours: 65536, meaning: "JPEG image" },
     WorkstationType { number: 102, name: "tiff", extension: "tif", colours: 65536, meaning: "TIFF image" },
