@@ -83,6 +83,9 @@ impl Catalogue for Recording {
         let Backend::Device(device) = device else {
             return Ok((device, changed(number, description)));
         };
+        if number == CATEGORIES + Category::Wiss as i32 {
+            return Ok((Backend::Storage, changed(number, description)));
+        }
         let recorded = Recorded { device, fault: number, log: self.log.clone() };
         Ok((Backend::Device(Box::new(recorded)), changed(number, description)))
     }

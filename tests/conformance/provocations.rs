@@ -28,16 +28,16 @@ pub(crate) struct Provocation {
 pub(crate) type Call = fn(&mut Gks, i32) -> Result<()>;
 
 impl Provocation {
-    const fn about(self, subject: i32) -> Provocation {
+    pub(crate) const fn about(self, subject: i32) -> Provocation {
         Provocation { subject: Some(subject), ..self }
     }
 
-    const fn after(self, before: fn(&mut Gks)) -> Provocation {
+    pub(crate) const fn after(self, before: fn(&mut Gks)) -> Provocation {
         Provocation { before, ..self }
     }
 }
 
-const fn meets(error: i32, function: Function, call: Call) -> Provocation {
+pub(crate) const fn meets(error: i32, function: Function, call: Call) -> Provocation {
     Provocation { function, error, subject: None, before: |_| {}, call }
 }
 

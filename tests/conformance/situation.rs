@@ -1,7 +1,7 @@
 //! The situations in which functions are called, and all that can be inquired of one.
 
 use crate::catalogue::{CATEGORIES, FRAME_BUFFER, INDEXED, Log, NULL, Recording};
-use gks::{Gks, OperatingState, ValueType};
+use gks::{Gks, OperatingState, Result, ValueType};
 use gks_pipeline::description::Category;
 
 /// A workstation of type [`FRAME_BUFFER`], active where any is.
@@ -16,13 +16,23 @@ pub(crate) const OF_CATEGORY: i32 = 10;
 /// An identifier that is never in use.
 pub(crate) const UNUSED: i32 = 99;
 
+/// The segment on the workstation [`ACTIVE`] and in segment storage, which is open wherever a workstation is.
+pub(crate) const SEGMENT: i32 = 1;
+/// The open segment.
+pub(crate) const OPEN_SEGMENT: i32 = 9;
+
 /// The categories that have a workstation in [`all_categories`].
 pub(crate) const CATEGORIES_OPEN: [Category; 4] =
     [Category::Input, Category::Wiss, Category::MetafileOutput, Category::MetafileInput];
 
-/// The operating states that can be reached: SGOP needs segments.
-pub(crate) const STATES: [OperatingState; 4] =
-    [OperatingState::Gkcl, OperatingState::Gkop, OperatingState::Wsop, OperatingState::Wsac];
+/// The operating states.
+pub(crate) const STATES: [OperatingState; 5] = [
+    OperatingState::Gkcl,
+    OperatingState::Gkop,
+    OperatingState::Wsop,
+    OperatingState::Wsac,
+    OperatingState::Sgop,
+];
 
 /// A kernel in an operating state, with the workstations that sample calls are about, and its log.
 pub(crate) fn at(state: OperatingState) -> (Gks, Log) {
@@ -33,22 +43,39 @@ pub(crate) fn at(state: OperatingState) -> (Gks, Log) {
     if state != OperatingState::Gkcl {
         gks.open_gks().expect("GKS is closed");
     }
-    if matches!(state, OperatingState::Wsop | OperatingState::Wsac) {
+    if matches!(state, OperatingState::Wsop | OperatingState::Wsac | OperatingState::Sgop) {
         open(&mut gks, ACTIVE, FRAME_BUFFER);
         open(&mut gks, INACTIVE, NULL);
+        open(&mut gks, of_category(Category::Wiss), CATEGORIES + Category::Wiss as i32);
+        store_segment(&mut gks).expect("the workstations have just been opened");
     }
-    if state == OperatingState::Wsac {
+    if matches!(state, OperatingState::Wsac | OperatingState::Sgop) {
         gks.activate_workstation(ACTIVE).expect("the workstation has just been opened");
+    }
+    if state == OperatingState::Sgop {
+        gks.create_segment(OPEN_SEGMENT).expect("a workstation is active, the name is free");
     }
     assert_eq!(gks.inquire_operating_state_value(), state);
     (gks, log)
+}
+
+/// Creates [`SEGMENT`].
+fn store_segment(gks: &mut Gks) -> Result<()> {
+    let wiss = of_category(Category::Wiss);
+    gks.activate_workstation(ACTIVE)?;
+    gks.activate_workstation(wiss)?;
+    gks.create_segment(SEGMENT)?;
+    gks.polyline(&[(0.1, 0.1), (0.2, 0.3)])?;
+    gks.close_segment()?;
+    gks.deactivate_workstation(wiss)?;
+    gks.deactivate_workstation(ACTIVE)
 }
 
 /// As [`at`] for WSAC, with a workstation of every category and one with a colour table.
 pub(crate) fn all_categories() -> (Gks, Log) {
     let (mut gks, log) = at(OperatingState::Wsac);
     open(&mut gks, COLOUR_TABLE, INDEXED);
-    for category in CATEGORIES_OPEN {
+    for category in CATEGORIES_OPEN.into_iter().filter(|&category| category != Category::Wiss) {
         open(&mut gks, of_category(category), CATEGORIES + category as i32);
     }
     (gks, log)
@@ -95,6 +122,11 @@ pub(crate) fn state_lists(gks: &Gks) -> Vec<String> {
     let open = gks.inquire_set_of_open_workstations().map(Iterator::collect::<Vec<_>>);
     let active = gks.inquire_set_of_active_workstations().map(Iterator::collect::<Vec<_>>);
     lines.push(format!("open {open:?} active {active:?}"));
+    lines.push(format!("open segment {:?}", gks.inquire_name_of_open_segment()));
+    for name in gks.inquire_set_of_segment_names_in_use().into_iter().flatten() {
+        let workstations = gks.inquire_set_of_associated_workstations(name).map(Iterator::collect::<Vec<_>>);
+        lines.push(format!("segment {name} {workstations:?} {:?}", gks.inquire_segment_attributes(name)));
+    }
     for id in open.unwrap_or_default() {
         workstation(gks, id, &mut lines);
     }
@@ -106,6 +138,8 @@ fn workstation(gks: &Gks, id: i32, lines: &mut Vec<String>) {
     lines.push(format!("state {id} {:?}", gks.inquire_workstation_state(id)));
     lines.push(format!("surface {id} {:?}", gks.inquire_workstation_deferral_and_update_states(id)));
     lines.push(format!("transformation {id} {:?}", gks.inquire_workstation_transformation(id)));
+    let names = gks.inquire_set_of_segment_names_on_workstation(id).map(Iterator::collect::<Vec<_>>);
+    lines.push(format!("segments {id} {names:?}"));
     tables! { lines, gks, id:
         inquire_list_of_polyline_indices inquire_polyline_representation
         inquire_list_of_polymarker_indices inquire_polymarker_representation

@@ -76,12 +76,6 @@ structures! {
         fill_int_style: Gint, fill_style_ind: Gint, fill_colr_ind: Gint,
         asfs: Gasfs,
     }
-    /// The attributes of a segment.
-    Gseg_attrs { tran: Gtran_matrix, vis: Gint, highl: Gint, pri: Gdouble, det: Gint }
-    /// How changes of segments become visible.
-    Gdyn_mod_seg_attrs {
-        tran: Gint, vis_invis: Gint, invis_vis: Gint, highl: Gint, pri: Gint, add: Gint, del: Gint,
-    }
     /// The primitive attributes.
     Gprim_attrs {
         line_ind: Gint, marker_ind: Gint, text_ind: Gint,
