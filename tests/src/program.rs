@@ -26,7 +26,7 @@ pub fn library() -> &'static Path {
     static FOLDER: OnceLock<PathBuf> = OnceLock::new();
     FOLDER.get_or_init(|| {
         let built = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-            .args(["build", "--quiet", "--package", "gks-c", "--message-format", "json"])
+            .args(["build", "--quiet", "--package", "libgks", "--message-format", "json"])
             .current_dir(repository())
             .output()
             .expect("cargo runs");

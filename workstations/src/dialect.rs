@@ -118,6 +118,16 @@ impl Dialect {
         }
     }
 
+    /// The name of the dialect.
+    pub fn name(self) -> &'static str {
+        match self {
+            Dialect::Iso => "iso",
+            Dialect::Ncar => "ncar",
+            Dialect::Xgks => "xgks",
+            Dialect::Gr => "gr",
+        }
+    }
+
     /// The numbers of the dialect.
     pub(crate) fn table(self) -> &'static [Foreign] {
         match self {
@@ -144,6 +154,13 @@ mod tests {
             let table = dialect.table();
             assert!(table.iter().all(|f| 0 < f.first && f.first <= f.last), "{dialect:?}");
             assert!(table.windows(2).all(|w| w[0].last < w[1].first), "{dialect:?}");
+        }
+    }
+
+    #[test]
+    fn dialects_are_found_by_their_names() {
+        for dialect in [Dialect::Iso, Dialect::Ncar, Dialect::Xgks, Dialect::Gr] {
+            assert_eq!(Dialect::from_name(dialect.name()), Some(dialect));
         }
     }
 

@@ -42,6 +42,11 @@ impl<T> In<T> {
     pub(crate) fn address(self) -> *const T {
         self.0
     }
+
+    /// The same address as one of a value of another type.
+    pub(crate) fn cast<U>(self) -> In<U> {
+        In(self.0.cast())
+    }
 }
 
 impl<T: Copy> In<T> {

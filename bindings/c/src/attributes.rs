@@ -77,7 +77,8 @@ extern "C" fn gset_text_align(text_align: In<Gtext_align>) {
 #[unsafe(no_mangle)]
 extern "C" fn gset_fill_int_style(fill_int_style: Gint) {
     const F: Function = Function::SetFillAreaInteriorStyle;
-    call(F, |gks| gks.set_fill_area_interior_style(choice(F, fill_int_style, InteriorStyle::from_number)?));
+    let style = gks_instance::interior_style(fill_int_style);
+    call(F, |gks| gks.set_fill_area_interior_style(choice(F, style, InteriorStyle::from_number)?));
 }
 
 /// SET PATTERN SIZE.

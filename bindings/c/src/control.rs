@@ -32,7 +32,11 @@ extern "C" fn gclose_gks() {
 /// OPEN WORKSTATION.
 #[unsafe(no_mangle)]
 extern "C" fn gopen_ws(ws_id: Gint, conn_id: In<c_char>, ws_type: Gint) {
-    call(Function::OpenWorkstation, |gks| gks.open_workstation(ws_id, &conn_id.text(), ws_type));
+    const F: Function = Function::OpenWorkstation;
+    gks_instance::call_instance(F, report, |instance| {
+        gks_instance::check_state(&instance.gks, F)?;
+        instance.open_workstation(ws_id, &conn_id.text(), ws_type)
+    });
 }
 
 /// CLOSE WORKSTATION.

@@ -1,10 +1,21 @@
 //! Escapes.
 
 use crate::argument::{In, Out, array, call, integer};
+use crate::error::report;
 use crate::store::{self, Gstore};
 use crate::types::{Gfloat, Gint};
 use gks::{DataRecord, Function};
+use gks_instance::Dialect;
 use gks_pipeline::generated::numbers::ESCAPES;
+use std::ffi::c_void;
+
+/// An input data record of an escape function of NCAR Graphics.
+#[repr(C)]
+#[derive(Copy, Clone)]
+struct Gdata {
+    size: usize,
+    data: *const c_void,
+}
 
 /// The input data record of an escape function: in C, a structure of its integers and then its reals.
 fn data_record(func_id: Gint, in_data: In<Gint>) -> gks::Result<DataRecord> {
@@ -19,11 +30,30 @@ fn data_record(func_id: Gint, in_data: In<Gint>) -> gks::Result<DataRecord> {
     Ok(DataRecord { integers, reals, strings: Vec::new() })
 }
 
+/// ESCAPE with an identifier of NCAR Graphics in its dialect. Whether it was one.
+fn ncar(func_id: Gint, in_data: In<Gint>) -> bool {
+    const F: Function = Function::Escape;
+    // Our own identifiers are none of its.
+    if func_id >= 0 || gks_instance::with(|instance| instance.dialect) != Dialect::Ncar {
+        return false;
+    }
+    let known = gks_instance::call_instance(F, report, |instance| {
+        gks_instance::check_state(&instance.gks, F)?;
+        let record = in_data.cast::<Gdata>().get();
+        let text = record.map_or(&[][..], |r| array(r.data.cast::<u8>(), integer(r.size)));
+        Ok(instance.ncar_escape(func_id, text))
+    });
+    known.unwrap_or(true)
+}
+
 /// ESCAPE. Output data lie in the store; the pointer to them is null where there are none.
 #[unsafe(no_mangle)]
 extern "C" fn gescape(func_id: Gint, in_data: In<Gint>, store_data: In<Gstore>, out_data: Out<*const Gint>) {
     const F: Function = Function::Escape;
     out_data.set(std::ptr::null());
+    if ncar(func_id, in_data) {
+        return;
+    }
     call(F, |gks| {
         let output = gks.escape(func_id, &data_record(func_id, in_data)?)?;
         if !output.is_empty() {

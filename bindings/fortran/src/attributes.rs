@@ -2,7 +2,6 @@
 
 use crate::argument::{Integer, Real, choice};
 use crate::call::{call, subroutines};
-use crate::ncar;
 use gks::Function;
 use gks_pipeline::look::AspectSourceFlags;
 
@@ -40,7 +39,7 @@ subroutines! {
 #[unsafe(no_mangle)]
 extern "C" fn gsfais_(ints: Integer) {
     const F: Function = Function::SetFillAreaInteriorStyle;
-    let style = ncar::interior_style(ints.get());
+    let style = gks_instance::interior_style(ints.get());
     call(F, |gks| gks.set_fill_area_interior_style(choice(style, F)?));
 }
 

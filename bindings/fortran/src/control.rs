@@ -15,6 +15,7 @@ extern "C" fn gopks_(errfil: Integer, _bufa: Integer) {
         if unit < 0 && instance.gks.inquire_operating_state_value() == OperatingState::Gkcl {
             return Err(Error::new(200, F).because(format!("unit {unit}")));
         }
+        ncar::share_error_unit(instance.dialect, unit);
         instance.open_gks(ErrorFile::from_unit(unit))
     });
 }
@@ -23,7 +24,7 @@ extern "C" fn gopks_(errfil: Integer, _bufa: Integer) {
 #[unsafe(no_mangle)]
 extern "C" fn gopwk_(wkid: Integer, conid: Integer, wtype: Integer) {
     call_instance(Function::OpenWorkstation, |instance| {
-        ncar::open_workstation(instance, wkid.get(), conid.get(), wtype.get())
+        instance.open_workstation(wkid.get(), &conid.get().to_string(), wtype.get())
     });
 }
 

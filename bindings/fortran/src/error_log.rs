@@ -4,6 +4,8 @@ use crate::argument::Integer;
 use crate::call::NAMED_FILE;
 use gks_instance::ErrorFile;
 use std::ffi::c_int;
+#[cfg(target_os = "linux")]
+use std::ffi::{CStr, c_char, c_void};
 
 /// What GERLOG does: writes an error to the error file of a unit.
 #[unsafe(no_mangle)]
@@ -20,15 +22,21 @@ extern "C" fn gks_log_error(error: Integer, function: Integer, file: Integer) {
 
 #[cfg(target_os = "linux")]
 unsafe extern "C" {
-    fn dlsym(handle: *mut std::ffi::c_void, symbol: *const std::ffi::c_char) -> *mut std::ffi::c_void;
+    fn dlsym(handle: *mut c_void, symbol: *const c_char) -> *mut c_void;
+}
+
+/// The address of a symbol of the program or of a library that it has loaded; null where there is none.
+#[cfg(target_os = "linux")]
+pub(crate) fn find(symbol: &CStr) -> *mut c_void {
+    // SAFETY: a null handle means all that is loaded, and the name ends with a zero byte.
+    unsafe { dlsym(std::ptr::null_mut(), symbol.as_ptr()) }
 }
 
 /// Has gfortran's own library write out what a program has written to a unit, so that messages stand in order
 /// among the lines of the program. Nothing happens in a process without that library.
 #[cfg(target_os = "linux")]
 fn flush(unit: c_int) {
-    // SAFETY: a null handle means all that is loaded, and the name ends with a zero byte.
-    let address = unsafe { dlsym(std::ptr::null_mut(), c"_gfortran_flush_i4".as_ptr()) };
+    let address = find(c"_gfortran_flush_i4");
     if address.is_null() {
         return;
     }

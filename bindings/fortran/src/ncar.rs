@@ -2,33 +2,20 @@
 
 use crate::answer::{answer, element};
 use crate::argument::{Character, Integer, Real};
-use crate::call::{call_instance, check_state};
+use crate::call::{call_instance, check_state, subroutines};
 use crate::data_record::LINE;
+#[cfg(target_os = "linux")]
+use crate::error_log::find;
 use crate::unbuilt::refusal;
 use gks::{Function, Gks};
 use gks_geometry::{Map, Ndc, Point, Wc};
-use gks_instance::{Dialect, from_latin1};
-use gks_pipeline::look::InteriorStyle;
-
-/// The workstation type of a metafile.
-const METAFILE: i32 = 1;
-
-/// The ESCAPE that gives the name of the next metafile.
-const METAFILE_NAME: i32 = -1391;
+use gks_instance::Dialect;
 
 /// The ESCAPE that saves and restores attributes.
 const ATTRIBUTES: i32 = -1388;
 
-/// The interior style in which the utilities fill the outlines of characters.
-const SOLID_TEXT: i32 = 4;
-
 fn is_active() -> bool {
     gks_instance::with(|instance| instance.dialect == Dialect::Ncar)
-}
-
-/// The interior style that a program means by a number: characters are filled as everything else is.
-pub(crate) fn interior_style(number: i32) -> i32 {
-    if number == SOLID_TEXT && is_active() { InteriorStyle::Solid as i32 } else { number }
 }
 
 /// ESCAPE with one of the identifiers of NCAR Graphics, a record and its length; nothing happens for another
@@ -43,10 +30,7 @@ pub(crate) fn escape(identifier: i32, idr: (Character, usize), mlodr: Integer, o
     }
     call_instance(F, |instance| {
         check_state(&instance.gks, F)?;
-        if identifier == METAFILE_NAME {
-            let name = from_latin1(idr.0.slice(0, idr.1)).trim().to_owned();
-            instance.metafile_name = Some(name).filter(|name| !name.is_empty());
-        }
+        instance.ncar_escape(identifier, idr.0.slice(0, idr.1));
         if identifier == ATTRIBUTES {
             odr.fill(mlodr.count() * LINE, b' ');
         }
@@ -55,16 +39,22 @@ pub(crate) fn escape(identifier: i32, idr: (Character, usize), mlodr: Integer, o
     true
 }
 
-/// OPEN WORKSTATION, where a metafile takes the name that ESCAPE gave it.
-pub(crate) fn open_workstation(
-    instance: &mut gks_instance::Instance,
-    wkid: i32,
-    conid: i32,
-    wtype: i32,
-) -> gks::Result<()> {
-    let name = instance.metafile_name.take_if(|_| wtype == METAFILE);
-    instance.gks.open_workstation(wkid, &name.unwrap_or_else(|| conid.to_string()), wtype)
+/// Has messages of the utilities go to the unit of the error file, as OPEN GKS of NCAR Graphics does: the unit is
+/// the first number of their COMMON block SECOMI, which is in the process where they are.
+#[cfg(target_os = "linux")]
+pub(crate) fn share_error_unit(dialect: Dialect, unit: i32) {
+    if dialect != Dialect::Ncar || unit == 0 {
+        return;
+    }
+    let secomi = find(c"secomi_").cast::<i32>();
+    if !secomi.is_null() {
+        // SAFETY: the COMMON block begins with an INTEGER.
+        unsafe { secomi.write(unit) }
+    }
 }
+
+#[cfg(not(target_os = "linux"))]
+pub(crate) fn share_error_unit(_dialect: Dialect, _unit: i32) {}
 
 /// GQSGUS: INQUIRE SET OF SEGMENT NAMES IN USE. No segments are built yet; the utilities of NCAR Graphics ask
 /// all the same, and want to hear that no name is in use.
@@ -78,6 +68,23 @@ extern "C" fn gqsgus_(n: Integer, errind: Integer, ol: Integer, sgna: Integer) {
         sgna.set(0);
         errind.set(refusal(F));
     }
+}
+
+/// GZOPWK: OPEN WORKSTATION for the library HLU, which has a GOPWK of its own.
+#[unsafe(no_mangle)]
+extern "C" fn gzopwk_(wkid: Integer, conid: Integer, wtype: Integer) {
+    call_instance(Function::OpenWorkstation, |instance| {
+        instance.open_workstation(wkid.get(), &conid.get().to_string(), wtype.get())
+    });
+}
+
+// The same for the other functions that HLU has itself.
+subroutines! {
+    gzclwk_(wkid: Integer) CloseWorkstation => |gks| gks.close_workstation(wkid.get());
+    gzacwk_(wkid: Integer) ActivateWorkstation => |gks| gks.activate_workstation(wkid.get());
+    gzdawk_(wkid: Integer) DeactivateWorkstation => |gks| gks.deactivate_workstation(wkid.get());
+    gzclrwk_(wkid: Integer, cofl: Integer) ClearWorkstation
+        => |gks| gks.clear_workstation(wkid.get(), cofl.choice(F)?);
 }
 
 /// GZW2NX: abscissae from world coordinates to NDC by the current normalization transformation.

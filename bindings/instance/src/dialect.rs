@@ -2,7 +2,28 @@
 
 use gks::Defaults;
 use gks_pipeline::look::InteriorStyle;
+use gks_workstations::catalogue::Drivers;
 use gks_workstations::dialect::Dialect;
+use gks_workstations::environment::Environment;
+use std::sync::OnceLock;
+
+/// The dialect of the library that the process has loaded, where that is one for programs of another GKS.
+static PRESET: OnceLock<Dialect> = OnceLock::new();
+
+/// Sets the dialect that the process has unless `GKS_DIALECT` names another one. A library that stands in for
+/// another GKS calls this when it is loaded, before the first call of any function; the first one wins.
+pub fn preset_dialect(dialect: Dialect) {
+    let _ = PRESET.set(dialect);
+}
+
+/// The workstation types as the environment of the process and the library loaded choose them.
+pub(crate) fn drivers() -> Drivers {
+    let mut environment = Environment::from_process();
+    if let Some(dialect) = PRESET.get() {
+        environment.dialect.get_or_insert_with(|| dialect.name().to_owned());
+    }
+    Drivers::new(environment)
+}
 
 /// The outline fonts that NCAR's PostScript, PDF and window workstations show in the place of its stroke fonts,
 /// where one has the same characters: sans for the simplex, serif for the complex and triplex families.

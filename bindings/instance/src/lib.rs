@@ -9,14 +9,16 @@
 mod dialect;
 mod error_file;
 mod exit;
+mod ncar;
 mod text;
 
+pub use dialect::preset_dialect;
 pub use error_file::{ErrorFile, STANDARD_OUTPUT};
 pub use gks_workstations::dialect::Dialect;
+pub use ncar::interior_style;
 pub use text::{from_latin1, from_utf8_or_latin1};
 
 use gks::{Error, Function, Gks};
-use gks_workstations::catalogue::Drivers;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -60,7 +62,7 @@ fn lock() -> MutexGuard<'static, Option<Box<Instance>>> {
 
 #[cold]
 fn create() -> Box<Instance> {
-    let drivers = Drivers::from_process();
+    let drivers = dialect::drivers();
     let dialect = drivers.environment().dialect().unwrap_or_else(|message| {
         eprintln!("{message}; iso is used");
         Dialect::Iso
@@ -153,13 +155,17 @@ fn handle(error: &Error, report: impl FnOnce(&Error, &ErrorFile)) {
 /// ERROR LOGGING: writes an error to an error file, with its detail if it is the one being handled. The
 /// function is given by its identifier.
 pub fn log(number: i32, function: i32, file: &ErrorFile) {
-    let detail = with(|instance| {
-        instance.current.as_ref().filter(|e| e.number == number).and_then(|e| e.detail.clone())
+    let (detail, dialect) = with(|instance| {
+        let current = instance.current.as_ref().filter(|e| e.number == number);
+        (current.and_then(|e| e.detail.clone()), instance.dialect)
     });
     let text = gks::generated::error_text::text(number).unwrap_or("unknown error");
     let known = Function::ALL.into_iter().find(|f| f.id() == Some(function));
-    let name = known.map_or("an unknown function", Function::name);
     let detail = detail.map(|d| format!(" ({d})")).unwrap_or_default();
+    if dialect == Dialect::Ncar {
+        return file.write(&ncar::message(number, known, &format!("{text}{detail}")));
+    }
+    let name = known.map_or("an unknown function", Function::name);
     file.write(&format!("GKS ERROR {number} IN {name}: {text}{detail}\n"));
 }
 

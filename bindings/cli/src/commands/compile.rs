@@ -68,7 +68,7 @@ fn find() -> Result<Places, Failure> {
 /// Builds the library in a checkout, in the profile of this command, where it is not up to date.
 fn build_library(root: &Path, folder: &Path) -> Result<(), Failure> {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.args(["build", "--quiet", "--package", "gks-c", "--manifest-path"]).arg(root.join("Cargo.toml"));
+    cargo.args(["build", "--quiet", "--package", "libgks", "--manifest-path"]).arg(root.join("Cargo.toml"));
     if folder.ends_with("release") {
         cargo.arg("--release");
     }
