@@ -1,7 +1,8 @@
 //! The command `gks`.
 
 use clap::{Parser, Subcommand};
-use gks_cli::commands::{Failure, compile, coverage, demo, workstations};
+use gks_cli::commands::{Failure, compile, coverage, demo, doctor, run, workstations};
+use gks_workstations::dialect::Dialect;
 use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -49,6 +50,26 @@ enum Command {
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         arguments: Vec<OsString>,
     },
+    /// Run a program that was built for another GKS, unchanged, on any device.
+    Run {
+        /// The GKS that it was built for; `auto` looks at what it needs.
+        #[arg(long, default_value = "auto", value_parser = ["auto", "iso", "ncar", "xgks", "gr"])]
+        dialect: String,
+        /// The workstation type to draw on: name or number.
+        #[arg(long)]
+        on: Option<String>,
+        /// The file to write; `%d` is the number of the page.
+        #[arg(short, long)]
+        output: Option<String>,
+        /// The program and its arguments, after `--`.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true, required = true)]
+        program: Vec<OsString>,
+    },
+    /// Say which functions of GKS a program, library or object needs, and how to run it here.
+    Doctor {
+        /// The file, or the name of a program.
+        program: PathBuf,
+    },
 }
 
 fn main() -> ExitCode {
@@ -58,6 +79,14 @@ fn main() -> ExitCode {
         Command::Spec { json } => coverage::run(json),
         Command::Cc { arguments } => compile::run(compile::Language::C, &arguments),
         Command::Fc { arguments } => compile::run(compile::Language::Fortran, &arguments),
+        Command::Run { dialect, on, output, program } => {
+            let wishes = run::Wishes { dialect: Dialect::from_name(&dialect), on, output };
+            match program.split_first() {
+                Some((program, arguments)) => run::run(&wishes, program, arguments),
+                None => Err("no program".into()),
+            }
+        }
+        Command::Doctor { program } => doctor::run(&program),
     };
     result.unwrap_or_else(|failure| {
         eprintln!("gks: {failure}");

@@ -4,9 +4,10 @@
 //! `bindings/`, in an installation in `lib` and `include` next to `bin`.
 
 use super::Failure;
+use crate::libraries::build;
 use std::env;
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 
 /// The language of a program.
@@ -61,23 +62,6 @@ fn find() -> Result<Places, Failure> {
     if !include[0].join("gks.h").is_file() {
         return Err("gks.h is neither in an installation nor in a checkout beside this command".into());
     }
-    build_library(root, folder)?;
+    build(root, folder, "libgks", folder.join("libgks.so").is_file())?;
     Ok(Places { library: folder.to_path_buf(), include })
-}
-
-/// Builds the library in a checkout, in the profile of this command, where it is not up to date.
-fn build_library(root: &Path, folder: &Path) -> Result<(), Failure> {
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.args(["build", "--quiet", "--package", "libgks", "--manifest-path"]).arg(root.join("Cargo.toml"));
-    if folder.ends_with("release") {
-        cargo.arg("--release");
-    }
-    let present = folder.join("libgks.so").is_file();
-    match cargo.status() {
-        Ok(status) if status.success() => Ok(()),
-        // Without cargo the library is taken as it is.
-        Err(_) if present => Ok(()),
-        Ok(status) => Err(format!("building libgks failed: {status}").into()),
-        Err(error) => Err(format!("libgks is not built, and cargo does not run: {error}").into()),
-    }
 }
