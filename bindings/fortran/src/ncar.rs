@@ -1,12 +1,10 @@
 //! What programs of NCAR Graphics expect.
 
-use crate::answer::{answer, element};
 use crate::argument::{Character, Integer, Real};
 use crate::call::{call_instance, check_state, subroutines};
 use crate::data_record::LINE;
 #[cfg(target_os = "linux")]
 use crate::error_log::find;
-use crate::unbuilt::refusal;
 use gks::{Function, Gks};
 use gks_geometry::{Map, Ndc, Point, Wc};
 use gks_instance::Dialect;
@@ -55,20 +53,6 @@ pub(crate) fn share_error_unit(dialect: Dialect, unit: i32) {
 
 #[cfg(not(target_os = "linux"))]
 pub(crate) fn share_error_unit(_dialect: Dialect, _unit: i32) {}
-
-/// GQSGUS: INQUIRE SET OF SEGMENT NAMES IN USE. No segments are built yet; the utilities of NCAR Graphics ask
-/// all the same, and want to hear that no name is in use.
-#[unsafe(no_mangle)]
-extern "C" fn gqsgus_(n: Integer, errind: Integer, ol: Integer, sgna: Integer) {
-    const F: Function = Function::InquireSetOfSegmentNamesInUse;
-    if is_active() {
-        answer(F, errind, (ol, sgna), |_| Ok(element([0; 0], n)));
-    } else {
-        ol.set(0);
-        sgna.set(0);
-        errind.set(refusal(F));
-    }
-}
 
 /// GZOPWK: OPEN WORKSTATION for the library HLU, which has a GOPWK of its own.
 #[unsafe(no_mangle)]
