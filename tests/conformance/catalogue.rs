@@ -119,6 +119,11 @@ impl Device for Recorded {
         self.device.begin(page)
     }
 
+    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
+        self.log.push(format!("erase page {}", page.number));
+        self.device.erase(page)
+    }
+
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         self.attempt()?;
         self.log.push(format!("draw {mark:?}"));

@@ -1,6 +1,6 @@
 //! Calls about segments with one wrong argument, and the errors that they meet.
 
-use super::catalogue::CATEGORIES;
+use super::catalogue::{CATEGORIES, NULL};
 use super::provocations::{Provocation, meets};
 use super::situation::{OPEN_SEGMENT, SEGMENT, of_category};
 use gks::Function::*;
@@ -21,8 +21,10 @@ fn open_segment(gks: &mut Gks) {
     gks.create_segment(OPEN_SEGMENT).expect("the name is free");
 }
 
+/// Opens another workstation in the place of segment storage.
 fn close_storage(gks: &mut Gks) {
     gks.close_workstation(WISS).expect("it is open and not active");
+    gks.open_workstation(WISS, "", NULL).expect("the identifier is free");
 }
 
 /// Wrong names and states of segments.

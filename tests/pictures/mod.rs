@@ -8,6 +8,7 @@ pub mod gdp;
 pub mod opacity;
 pub mod polyline;
 pub mod polymarker;
+pub mod segment;
 pub mod text;
 pub mod transformation;
 
@@ -101,4 +102,5 @@ pub static PICTURES: &[Picture] = pictures! {
     transformation: normalizations, window, viewport, unclipped;
     bundle: predefined, represented, colours;
     opacity: overlapping, lines_and_text;
+    segment: transformed, clipped, priorities, highlighted, storage;
 };

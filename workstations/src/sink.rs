@@ -5,7 +5,7 @@ mod pipe;
 use gks_pipeline::device::Sink;
 use pipe::Patient;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -116,6 +116,12 @@ impl Sink for FileSink {
         }
     }
 
+    fn restart(&mut self) -> io::Result<bool> {
+        let State::Writing(draft) = &mut self.state else { return Ok(false) };
+        draft.empty().map_err(naming(&self.name))?;
+        Ok(true)
+    }
+
     fn finish(&mut self) -> io::Result<()> {
         match std::mem::replace(&mut self.state, State::Idle) {
             State::Writing(draft) => draft.finish().map_err(naming(&self.name)),
@@ -173,6 +179,11 @@ impl Draft {
             let _ = fs::set_permissions(&temporary, permissions);
         }
         Ok(Draft { file: BufWriter::with_capacity(BUFFER, file), temporary, target, finished: false })
+    }
+
+    fn empty(&mut self) -> io::Result<()> {
+        self.file.rewind()?;
+        self.file.get_ref().set_len(0)
     }
 
     fn finish(mut self) -> io::Result<()> {
@@ -280,6 +291,11 @@ impl Sink for MemorySink {
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.current.as_mut().ok_or_else(no_document)?.extend_from_slice(bytes);
         Ok(())
+    }
+
+    fn restart(&mut self) -> io::Result<bool> {
+        self.current.as_mut().ok_or_else(no_document)?.clear();
+        Ok(true)
     }
 
     fn finish(&mut self) -> io::Result<()> {

@@ -293,13 +293,14 @@ mod tests {
 
     const LINE: [(f64, f64); 2] = [(0.0, 0.0), (1.0, 1.0)];
 
-    /// A number for each event: 1 begin, 2 draw, 3 end, 4 close.
+    /// A number for each event: 1 begin, 2 draw, 3 end, 4 close, 5 erase.
     fn course(events: &[Event]) -> Vec<u32> {
         let kind = |event: &Event| match event {
             Event::Begin(_) => 1,
             Event::Draw(..) => 2,
             Event::End => 3,
             Event::Close => 4,
+            Event::Erase(_) => 5,
         };
         events.iter().map(kind).collect()
     }

@@ -32,6 +32,7 @@ pub(crate) const CATEGORIES: i32 = 1000;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Event {
     Begin(Page),
+    Erase(Page),
     Draw(Drawing, Option<Rect<Du>>),
     End,
     Close,
@@ -182,6 +183,9 @@ impl Catalogue for TestCatalogue {
             _ => {}
         }
         let description = self.describe(number).ok_or(OpenError::NoSuchType(number))?;
+        if description.category == Category::Wiss {
+            return Ok((Backend::Storage, description));
+        }
         let device = TestDevice {
             surface: description.surface.clone(),
             pixels: description.surface.y_down.then_some(Pixels { indexed: number == INDEXED, smooth: true }),
@@ -207,6 +211,14 @@ impl Device for TestDevice {
     fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
         self.log.push(Event::Begin(page.clone()));
         Ok(())
+    }
+
+    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
+        if self.pixels.is_none() {
+            return Ok(Drawn::No);
+        }
+        self.log.push(Event::Erase(page.clone()));
+        Ok(Drawn::Yes)
     }
 
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {

@@ -305,6 +305,11 @@ pub trait Sink: Send {
     /// Appends bytes to the document.
     fn write(&mut self, bytes: &[u8]) -> io::Result<()>;
 
+    /// Takes back what was written to the document, which is empty then; `false` where bytes are gone.
+    fn restart(&mut self) -> io::Result<bool> {
+        Ok(false)
+    }
+
     /// Completes the document and makes it appear under its final name.
     fn finish(&mut self) -> io::Result<()>;
 }

@@ -50,6 +50,8 @@ pub struct Canvas<'a> {
     pub map: Map<Ndc, Du>,
     /// The current workstation transformation alone, which is the one for clipping rectangles.
     pub clip_map: Map<Ndc, Du>,
+    /// Whether the band of highlighting is painted instead of the items themselves.
+    pub glow: bool,
     /// The current workstation window, which always clips.
     pub window: Rect<Ndc>,
 }
@@ -88,6 +90,9 @@ impl Painter {
     pub fn paint(&mut self, item: &Item<'_>, canvas: &mut Canvas<'_>) -> Result<(), DeviceError> {
         let Some(clip) = item.clip.intersection(&canvas.window) else { return Ok(()) };
         let clip = canvas.clip_map.rect(&clip);
+        if canvas.glow {
+            return lower::glow::draw(self, item, &clip, canvas);
+        }
         match item.shape {
             Shape::Polyline(paths) => self.polyline(paths, item.look, &clip, canvas),
             Shape::Polymarker(positions) => self.polymarker(positions, item.look, &clip, canvas),

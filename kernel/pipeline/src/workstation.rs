@@ -170,13 +170,16 @@ impl Workstation {
     /// Draws a primitive that is in no segment.
     pub fn draw(&mut self, item: &Item<'_>) -> Result<(), DeviceError> {
         self.loose = true;
-        self.paint(item, &Appearance::PLAIN)?;
+        self.paint(item, &Map::IDENTITY, false)?;
         self.present()
     }
 
     /// Draws a primitive of the open segment, over what is there.
     pub fn draw_in_segment(&mut self, item: &Item<'_>, appearance: &Appearance) -> Result<(), DeviceError> {
-        self.paint(item, appearance)?;
+        if appearance.highlighted && !self.is_recorder() {
+            self.paint(item, &appearance.transformation, true)?;
+        }
+        self.paint(item, &appearance.transformation, false)?;
         self.present()
     }
 
@@ -194,7 +197,7 @@ impl Workstation {
             for item in &segment.recording {
                 copy.clear();
                 copy.push_mapped(&item, &segment.appearance.transformation);
-                copy.iter().try_for_each(|item| self.paint(&item, &Appearance::PLAIN))?;
+                copy.iter().try_for_each(|item| self.paint(&item, &Map::IDENTITY, false))?;
             }
             return Ok(());
         }
@@ -203,7 +206,12 @@ impl Workstation {
         drawn.and(self.present())
     }
 
-    fn paint(&mut self, item: &Item<'_>, appearance: &Appearance) -> Result<(), DeviceError> {
+    fn paint(
+        &mut self,
+        item: &Item<'_>,
+        transformation: &Map<Ndc, Ndc>,
+        glow: bool,
+    ) -> Result<(), DeviceError> {
         self.begin_page()?;
         self.empty = false;
         let Workstation { backend, description, tables, painter, map, current, .. } = self;
@@ -216,8 +224,9 @@ impl Workstation {
             device,
             surface: &description.surface,
             tables,
-            map: appearance.transformation.then(map),
+            map: transformation.then(map),
             clip_map: *map,
+            glow,
             window: current.window,
         };
         painter.paint(item, &mut canvas)
@@ -261,7 +270,12 @@ impl Workstation {
     }
 
     fn paint_segment(&mut self, segment: &Segment, appearance: &Appearance) -> Result<(), DeviceError> {
-        segment.recording.iter().try_for_each(|item| self.paint(&item, appearance))
+        let Appearance { transformation, highlighted } = appearance;
+        let mut items = segment.recording.iter();
+        if *highlighted && !self.is_recorder() {
+            items.clone().try_for_each(|item| self.paint(&item, transformation, true))?;
+        }
+        items.try_for_each(|item| self.paint(&item, transformation, false))
     }
 
     /// Makes all that was drawn visible; draws the picture again if that is necessary and `perform` is set,

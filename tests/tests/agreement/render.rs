@@ -269,10 +269,13 @@ fn options() -> Options {
 
 impl Catalogue for Memory {
     fn types(&self) -> Vec<i32> {
-        vec![own::FRAMEBUFFER]
+        vec![own::WISS, own::FRAMEBUFFER]
     }
 
     fn describe(&self, number: i32) -> Option<Description> {
+        if number == own::WISS {
+            return drivers().describe(number);
+        }
         let mut description = raster::true_colour(number, "framebuffer", &options()).ok()?;
         if self.ability == Ability::Pens {
             let side = description.surface.width;
@@ -284,6 +287,9 @@ impl Catalogue for Memory {
 
     fn open(&mut self, number: i32, _: &str) -> Result<(Backend, Description), OpenError> {
         let description = self.describe(number).ok_or(OpenError::NoSuchType(number))?;
+        if number == own::WISS {
+            return Ok((Backend::Storage, description));
+        }
         let refused = |error: &dyn std::error::Error| OpenError::CannotOpen(error.to_string());
         let device = TrueColour::new(&options(), None).map_err(|error| refused(&error))?;
         *self.pixels.lock().map_err(|error| refused(&error))? = Some(device.shared());
@@ -348,6 +354,10 @@ impl Device for Limited {
 
     fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
         self.inner.begin(page)
+    }
+
+    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
+        self.inner.erase(page)
     }
 
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {

@@ -113,6 +113,14 @@ impl Device for Hpgl {
         Ok(())
     }
 
+    fn erase(&mut self, _page: &Page) -> Result<Drawn, DeviceError> {
+        if !self.sink.restart()? {
+            return Ok(Drawn::No);
+        }
+        self.plot.start(self.surface.width, self.surface.height);
+        Ok(Drawn::Yes)
+    }
+
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         let (Form::Lines(paths, pen), None) = (&mark.form, &mark.clip) else { return Ok(Drawn::No) };
         if !pen.dash.is_empty() {

@@ -61,6 +61,16 @@ impl Pdf {
             used: BTreeSet::new(),
         }
     }
+
+    /// Starts the description of a page.
+    fn start(&mut self, page: &Page) {
+        self.content.begin();
+        self.images.clear();
+        self.used.clear();
+        if let Some(colour) = paper::background(&self.options, page) {
+            self.content.fill_rectangle(&self.surface.extent(), colour);
+        }
+    }
 }
 
 impl Device for Pdf {
@@ -73,13 +83,15 @@ impl Device for Pdf {
             self.document.open()?;
             self.catalog = Some((self.document.reserve()?, self.document.reserve()?));
         }
-        self.content.begin();
-        self.images.clear();
-        self.used.clear();
-        if let Some(colour) = paper::background(&self.options, page) {
-            self.content.fill_rectangle(&self.surface.extent(), colour);
-        }
+        self.start(page);
         Ok(())
+    }
+
+    /// What is in the file of the old description belongs to no page then.
+    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
+        self.document.end_contents()?;
+        self.start(page);
+        Ok(Drawn::Yes)
     }
 
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {

@@ -79,6 +79,15 @@ impl Document {
         Ok(())
     }
 
+    /// Starts the page over, unless a part of it has been let go.
+    pub(crate) fn restart_page(&mut self) -> bool {
+        if !self.begun {
+            self.bounds = Bounds::default();
+            self.fonts = Fonts::default();
+        }
+        !self.begun
+    }
+
     /// Completes a page, of which `text` is the last part.
     pub(crate) fn end_page(&mut self, text: &mut Vec<u8>) -> Result<(), DeviceError> {
         if !self.begun {

@@ -88,6 +88,16 @@ impl PostScript {
         content.relieve(document)?;
         Ok(Drawn::Yes)
     }
+
+    /// Starts the description of a page.
+    fn start(&mut self, page: &Page) {
+        self.content.begin();
+        if let Some(colour) = paper::background(&self.options, page) {
+            let extent = self.surface.extent();
+            self.content.fill_rectangle(&extent, colour);
+            self.document.bounds.rect(&extent);
+        }
+    }
 }
 
 impl Device for PostScript {
@@ -97,13 +107,16 @@ impl Device for PostScript {
 
     fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
         self.document.begin_page()?;
-        self.content.begin();
-        if let Some(colour) = paper::background(&self.options, page) {
-            let extent = self.surface.extent();
-            self.content.fill_rectangle(&extent, colour);
-            self.document.bounds.rect(&extent);
-        }
+        self.start(page);
         Ok(())
+    }
+
+    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
+        if !self.document.restart_page() {
+            return Ok(Drawn::No);
+        }
+        self.start(page);
+        Ok(Drawn::Yes)
     }
 
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {

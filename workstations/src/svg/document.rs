@@ -48,13 +48,26 @@ impl Document {
 
     /// Opens the next document.
     pub(super) fn open(&mut self) -> io::Result<()> {
+        self.reset();
+        self.sink.open()
+    }
+
+    /// Starts the document over, if that is possible.
+    pub(super) fn restart(&mut self) -> io::Result<bool> {
+        let restarted = self.sink.restart()?;
+        if restarted {
+            self.reset();
+        }
+        Ok(restarted)
+    }
+
+    fn reset(&mut self) {
         self.out.clear();
         self.style.clear();
         self.clip = None;
         self.clips.clear();
         self.defined = 0;
         self.images = false;
-        self.sink.open()
     }
 
     /// The number of bytes of memory that the document takes.

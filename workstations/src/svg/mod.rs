@@ -115,16 +115,12 @@ fn surface(options: &Options) -> Surface {
     Surface { width, height, unit: UNIT, y_down: true, resolution: 0.01, pen: None }
 }
 
-impl Device for Svg {
-    fn surface(&self) -> &Surface {
-        &self.surface
-    }
-
-    fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
+impl Svg {
+    /// Writes the beginning of a page.
+    fn head(&mut self, page: &Page) {
         let Surface { width, height, unit, .. } = self.surface;
         let document = &mut self.document;
         self.fonts.clear();
-        document.open()?;
         document
             .raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" ");
         document.raw("xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\" width=\"");
@@ -146,7 +142,26 @@ impl Device for Svg {
             document::paint(&mut document.out, "fill", self.background.unwrap_or(page.background));
             document.raw("/>\n");
         }
+    }
+}
+
+impl Device for Svg {
+    fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
+        self.document.open()?;
+        self.head(page);
         Ok(())
+    }
+
+    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
+        if !self.document.restart()? {
+            return Ok(Drawn::No);
+        }
+        self.head(page);
+        Ok(Drawn::Yes)
     }
 
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {

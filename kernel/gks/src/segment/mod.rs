@@ -141,7 +141,7 @@ impl Gks {
                 covered.push(id);
             }
         }
-        done.and(self.show_change(function, covered, |how| how.appearing))
+        done.and(self.show_change(function, covered, |_| DynamicModification::Irg))
     }
 
     /// Tells the metafiles among the workstations of a segment.
@@ -197,3 +197,6 @@ fn valid(function: Function, name: i32) -> Result<()> {
 fn named(function: Function, number: i32, name: i32) -> Error {
     Error::new(number, function).because(format!("segment name {name}"))
 }
+
+#[cfg(test)]
+mod tests;

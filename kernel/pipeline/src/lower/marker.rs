@@ -92,6 +92,14 @@ pub fn shape(kind: i32) -> MarkerShape {
 /// markers.
 const CHUNK: usize = 1 << 16;
 
+/// The path, closed if it is the boundary of an area.
+fn closed(mut path: Vec<DVec2>) -> Vec<DVec2> {
+    if path.len() > 2 {
+        path.extend(path.first().copied());
+    }
+    path
+}
+
 /// Draws markers as lines or areas.
 pub(crate) fn draw(
     painter: &mut Painter,
@@ -109,12 +117,17 @@ pub(crate) fn draw(
         ring
     };
     let scaled = |path: &Vec<DVec2>| path.iter().map(|&p| p * scale).collect::<Vec<_>>();
-    let (paths, filled) = match shape(style.kind) {
+    let (paths, filled): (Vec<Vec<DVec2>>, bool) = match shape(style.kind) {
         MarkerShape::Dot => (vec![vec![DVec2::ZERO]], false),
         MarkerShape::Lines(paths) => (paths.iter().map(scaled).collect(), false),
         MarkerShape::Circle => (vec![circle()], false),
         MarkerShape::Disc => (vec![circle()], true),
         MarkerShape::Area(ring) => (vec![scaled(&ring)], true),
+    };
+    // The band of highlighting runs along the boundary.
+    let (paths, filled) = match canvas.glow {
+        true => (paths.into_iter().map(closed).collect(), false),
+        false => (paths, filled),
     };
     let pen = Pen { paint: style.paint, width: style.width, dash: &[], cap: Cap::Round, join: Join::Round };
     let mut out = PathBuf::new();

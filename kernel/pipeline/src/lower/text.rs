@@ -8,6 +8,7 @@ use crate::colour::Paint;
 use crate::device::{DeviceError, Drawn, Form, Glyph, GlyphRun, Pen, Rule};
 use crate::font::{self, FaceGlyph, Layout, OutlineFace, PlacedGlyph, TextStyle, Verb};
 use crate::look::{Cap, Join, Look, TextBundle, TextGeometry};
+use crate::lower::glow;
 use crate::painter::{Canvas, Painter};
 use gks_algorithms::curve;
 use gks_geometry::{Du, Ndc, PathBuf, Point, Rect, Vector};
@@ -61,7 +62,7 @@ pub(crate) fn draw(
     let mut done = Ok(());
     if around.is_some_and(|r| r.meets(clip)) {
         let crossing = around.is_some_and(|r| !clip.contains_rect(&r));
-        let paint = canvas.tables.paint(bundle.colour);
+        let paint = canvas.tables.paint(if canvas.glow { glow::COLOUR } else { bundle.colour });
         done = glyphs(painter, text, &layout, frame, paint, crossing, clip, canvas);
     }
     painter.layout = layout;
@@ -131,7 +132,10 @@ fn strokes(
         }
     }
     let width = canvas.surface.nominal_linewidth();
-    let pen = Pen { paint, width, dash: &[], cap: Cap::Round, join: Join::Round };
+    let pen = match canvas.glow {
+        true => glow::pen(width, canvas),
+        false => Pen { paint, width, dash: &[], cap: Cap::Round, join: Join::Round },
+    };
     let done = painter.lines(lines.as_paths(), &pen, clip, canvas);
     painter.lowered = lines;
     done
@@ -164,7 +168,11 @@ fn outline_run(
     }));
     let (x, y) = (Vector::from_vec(x), Vector::from_vec(y));
     let run = GlyphRun { text, face, glyphs: &glyphs, x, y, paint };
-    let done = match canvas.offer(Form::Text(run.clone()), crossing.then_some(*clip)) {
+    let offered = match canvas.glow {
+        true => Ok(Drawn::No),
+        false => canvas.offer(Form::Text(run.clone()), crossing.then_some(*clip)),
+    };
+    let done = match offered {
         Ok(Drawn::Yes) => Ok(()),
         Ok(Drawn::No) => outlines(painter, &run, clip, canvas),
         Err(error) => Err(error),
@@ -207,6 +215,14 @@ fn outlines(
             }
         }
         rings.end_or_drop(3);
+    }
+    if canvas.glow {
+        let mut band = PathBuf::<Du>::new();
+        for ring in rings.as_paths().iter() {
+            band.add(ring.iter().chain(ring.first()).copied());
+        }
+        let pen = glow::pen(0.0, canvas);
+        return painter.lines(band.as_paths(), &pen, clip, canvas);
     }
     painter.solid(rings.as_paths(), Rule::NonZero, run.paint, clip, canvas)
 }
