@@ -1,6 +1,7 @@
 //! Looks for contradictions in the tables: dangling references, duplicates, gaps.
 
 mod ctype;
+mod element;
 mod number;
 mod state;
 
@@ -40,6 +41,7 @@ pub(crate) fn check(tables: &Tables) -> Vec<String> {
     state::check(tables, &mut faults);
     ctype::check(tables, &mut faults);
     number::check(tables, &mut faults);
+    element::check(tables, &mut faults);
     faults
 }
 

@@ -5,6 +5,7 @@
 
 mod check;
 mod coverage;
+mod elements;
 mod error_text;
 mod fortran_include;
 mod function;
@@ -41,6 +42,10 @@ const OUTPUTS: &[(&str, Generator)] = &[
     ("bindings/fortran/include/gks.inc", fortran_include::generate),
     ("bindings/fortran/include/gkspar.inc", fortran_include::generate_demonstration),
     ("bindings/fortran/src/generated/unbuilt.rs", wrappers::generate),
+    ("workstations/metafile/src/generated/mod.rs", |_| {
+        module("Copied out of the tables in `spec/cgm`.", &["elements"])
+    }),
+    ("workstations/metafile/src/generated/elements.rs", elements::generate),
     ("tests/conformance/generated.rs", samples::generate),
     ("tests/fuzz/src/generated.rs", fuzz_calls::generate),
 ];

@@ -1,6 +1,7 @@
 //! The tables of `spec/`, as Rust values: what the TOML files say and nothing else.
 
 mod ctype;
+mod element;
 mod number;
 mod state;
 
@@ -11,6 +12,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 pub(crate) use ctype::{Macros, Structure, Types};
+pub(crate) use element::{Element, Elements};
 pub(crate) use number::{Hatch, Numbers};
 pub(crate) use state::{Entry, States};
 
@@ -23,6 +25,7 @@ pub(crate) struct Tables {
     pub(crate) states: States,
     pub(crate) types: Types,
     pub(crate) numbers: Numbers,
+    pub(crate) elements: Elements,
 }
 
 impl Tables {
@@ -37,6 +40,7 @@ impl Tables {
             states: read(&spec.join("gks/states.toml"))?,
             types: read(&spec.join("gks/types.toml"))?,
             numbers: read(&spec.join("numbers.toml"))?,
+            elements: read(&spec.join("cgm/elements.toml"))?,
         })
     }
 }
