@@ -9,6 +9,9 @@ pub(super) fn check(tables: &Tables, faults: &mut Vec<String>) {
     let elements = &tables.elements.element;
     unique("element", elements.iter().map(|e| format!("{}.{}", e.class, e.id)), faults);
     unique("element", elements.iter().map(Element::variant), faults);
+    if !elements.is_sorted_by_key(|e| (e.class, e.id)) {
+        faults.push("the elements do not stand in the order of their codes".to_owned());
+    }
     let named = |text: &&str| !text.is_empty();
     unique("keyword", elements.iter().map(|e| e.keyword.as_str()).filter(named), faults);
     unique("opcode", elements.iter().map(|e| e.opcode.as_str()).filter(named), faults);

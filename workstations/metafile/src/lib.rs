@@ -2,3 +2,6 @@
 //!
 //! A writer is a [`gks_pipeline::record::Recorder`] over a sink, a reader a [`gks_pipeline::record::Source`]
 //! over bytes. Neither opens files, and neither believes a count in a file before the data is there.
+
+pub mod cgm;
+pub mod generated;

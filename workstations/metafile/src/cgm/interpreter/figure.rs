@@ -1,0 +1,56 @@
+//! Closed figures: regions bounded by lines that elements between BEGIN FIGURE and END FIGURE draw.
+
+use super::Interpreter;
+use super::line::Outline;
+use crate::cgm::decoder::Decoder;
+use gks_geometry::{PathBuf, Wc};
+use glam::DVec2;
+
+/// A figure under construction, in virtual device coordinates.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Figure {
+    regions: PathBuf<Wc>,
+    /// The boundary that is being drawn.
+    boundary: Vec<DVec2>,
+    edges: PathBuf<Wc>,
+}
+
+impl Figure {
+    /// Goes on with the boundary along lines.
+    pub(super) fn add_lines(&mut self, lines: &PathBuf<Wc>) {
+        for path in lines.as_paths().iter() {
+            self.boundary.extend_from_slice(path);
+            self.edges.add(path.iter().copied());
+        }
+    }
+
+    /// Adds the boundary of an area as a region of its own.
+    pub(super) fn add_region(&mut self, ring: &[DVec2], edges: &PathBuf<Wc>) {
+        self.regions.add(ring.iter().copied());
+        for path in edges.as_paths().iter() {
+            self.edges.add(path.iter().copied());
+        }
+    }
+
+    /// Closes the boundary that is being drawn.
+    pub(super) fn end_region(&mut self) {
+        if let (Some(first), Some(last)) = (self.boundary.first(), self.boundary.last())
+            && first != last
+        {
+            self.edges.add([*last, *first]);
+        }
+        self.regions.add(self.boundary.drain(..));
+    }
+}
+
+impl<D: Decoder> Interpreter<D> {
+    /// Draws the figure.
+    pub(super) fn end_figure(&mut self) {
+        let Some(mut figure) = self.figure.take() else { return };
+        figure.end_region();
+        self.fill_rings(&figure.regions);
+        if self.context.edges {
+            self.stroke_edge(Outline::Lines(figure.edges));
+        }
+    }
+}

@@ -1,0 +1,359 @@
+//! Metafile output: the records of GKS as elements.
+//!
+//! Attributes are resolved when something is drawn (bundles and aspect source flags, with the tables of the
+//! workstation), and written where they differ from what was written before in the picture. The extent of a picture is
+//! the whole display surface in NDC under the workstation transformation, so that a viewport keeps its place; what is
+//! drawn is clipped to the workstation window. A new window or viewport takes effect with the next picture.
+//!
+//! Segments are written through: their primitives appear in the picture in which they are created. A picture in which
+//! nothing is drawn is not written, unless it would be the only one.
+
+mod attributes;
+mod curve;
+mod primitive;
+
+use super::element::{Element, Ink, Value};
+use super::encoder::{Encoder, Grid};
+use super::fonts;
+use crate::generated::elements::{ELEMENTS, Kind};
+use gks_geometry::{Dc, Map, Ndc, Point, Rect};
+use gks_pipeline::colour::Colour;
+use gks_pipeline::device::{DeviceError, Sink};
+use gks_pipeline::item::{Item, Shape};
+use gks_pipeline::look::Look;
+use gks_pipeline::record::{Record, Recorder};
+use gks_pipeline::tables::{Pattern, Tables};
+use gks_pipeline::workstation::WorkstationTransformation;
+use glam::DVec2;
+use std::collections::BTreeMap;
+
+/// What a metafile is to hold.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// The version: 1, or 3 for line ends and corners and Bezier curves.
+    pub version: u8,
+    /// Width and height of the display surface, in metres.
+    pub size: (f64, f64),
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Settings { version: 1, size: (1.0, 1.0) }
+    }
+}
+
+/// What a primitive was drawn as: which attributes were written for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Class {
+    Line,
+    Marker,
+    Text,
+    Area,
+}
+
+/// Writes a metafile.
+pub struct CgmRecorder {
+    sink: Box<dyn Sink>,
+    encoder: Box<dyn Encoder>,
+    settings: Settings,
+    tables: Tables,
+    requested: WorkstationTransformation,
+    current: WorkstationTransformation,
+    /// From NDC to virtual device coordinates.
+    grid: Grid,
+    origin: DVec2,
+    scale: f64,
+    begun: bool,
+    pictures: u32,
+    /// Whether a picture is open.
+    open: bool,
+    /// The parameters last written, by element.
+    written: Vec<Option<Vec<Value>>>,
+    /// The look for which attributes were last written, for each class.
+    looks: [Option<Look>; 4],
+    clip: Option<Rect<Ndc>>,
+    patterns: BTreeMap<i32, Pattern>,
+    /// Indices that stand for those the metafile has no room for.
+    stand_ins: BTreeMap<u32, u32>,
+    out: Vec<u8>,
+}
+
+impl CgmRecorder {
+    /// A metafile with an encoding, which appears in a sink.
+    pub fn new(sink: Box<dyn Sink>, encoder: Box<dyn Encoder>, settings: Settings) -> CgmRecorder {
+        let (width, height) = settings.size;
+        let whole =
+            WorkstationTransformation { window: Rect::UNIT, viewport: Rect::new(0.0, width, 0.0, height) };
+        let grid = encoder.grid();
+        CgmRecorder {
+            sink,
+            encoder,
+            settings,
+            tables: Tables::predefined(),
+            requested: whole,
+            current: whole,
+            grid,
+            origin: DVec2::ZERO,
+            scale: grid.units,
+            begun: false,
+            pictures: 0,
+            open: false,
+            written: vec![None; ELEMENTS.len()],
+            looks: Default::default(),
+            clip: None,
+            patterns: BTreeMap::new(),
+            stand_ins: BTreeMap::new(),
+            out: Vec::new(),
+        }
+    }
+
+    /// Writes an element.
+    fn put(&mut self, kind: Kind, values: impl Into<Vec<Value>>) {
+        self.encoder.encode(&Element::new(kind, values), &mut self.out);
+    }
+
+    /// Writes an element unless it was the last of its kind.
+    fn set(&mut self, kind: Kind, values: impl Into<Vec<Value>>) {
+        let values = values.into();
+        if self.written[kind as usize].as_ref() != Some(&values) {
+            let element = Element::new(kind, values);
+            self.encoder.encode(&element, &mut self.out);
+            self.written[kind as usize] = Some(element.values);
+        }
+    }
+
+    /// Hands what was written on to the sink when there is enough of it.
+    fn flush(&mut self, least: usize) -> Result<(), DeviceError> {
+        if self.out.len() >= least {
+            self.sink.write(&self.out)?;
+            self.out.clear();
+        }
+        Ok(())
+    }
+
+    fn begin_metafile(&mut self) -> Result<(), DeviceError> {
+        if self.begun {
+            return Ok(());
+        }
+        self.begun = true;
+        self.sink.open()?;
+        let text = |text: &str| Value::Text(text.as_bytes().to_vec());
+        self.put(Kind::BeginMetafile, [text("GKS")]);
+        self.put(Kind::MetafileVersion, [Value::Integer(i32::from(self.settings.version))]);
+        self.put(Kind::MetafileDescription, [text("written by GKS")]);
+        self.put(Kind::MetafileElementList, [text("DRAWINGPLUS")]);
+        self.put(Kind::VdcType, [Value::Integer(i32::from(self.grid.real))]);
+        for element in self.encoder.precisions() {
+            self.encoder.encode(&element, &mut self.out);
+        }
+        let most = self.encoder.most_colour();
+        self.put(Kind::MaximumColourIndex, [Value::Ink(Ink::Index(most))]);
+        self.put(Kind::FontList, fonts::names().map(text).collect::<Vec<_>>());
+        let coordinates = self.encoder.coordinate_precisions();
+        if !coordinates.is_empty() {
+            self.put(Kind::BeginMetafileDefaultsReplacement, []);
+            for element in coordinates {
+                self.encoder.encode(&element, &mut self.out);
+            }
+            self.put(Kind::EndMetafileDefaultsReplacement, []);
+        }
+        Ok(())
+    }
+
+    fn begin_picture(&mut self) -> Result<(), DeviceError> {
+        if self.open {
+            return Ok(());
+        }
+        self.begin_metafile()?;
+        (self.open, self.pictures) = (true, self.pictures + 1);
+        self.current = self.requested;
+        self.written.fill(None);
+        self.looks = Default::default();
+        self.clip = None;
+        self.patterns.clear();
+        let surface = self.surface();
+        let size = DVec2::new(surface.width(), surface.height());
+        self.origin = surface.min.0;
+        self.scale = self.grid.units / size.max_element();
+        let name = format!("picture {}", self.pictures);
+        self.put(Kind::BeginPicture, [Value::Text(name.into_bytes())]);
+        self.put(Kind::ScalingMode, [Value::Integer(0), Value::Real(1.0)]);
+        self.put(Kind::ColourSelectionMode, [Value::Integer(0)]);
+        self.put(Kind::LineWidthSpecificationMode, [Value::Integer(1)]);
+        self.put(Kind::MarkerSizeSpecificationMode, [Value::Integer(1)]);
+        let (least, most) = (self.coordinates(surface.min.0), self.coordinates(surface.max.0));
+        self.put(Kind::VdcExtent, [Value::Point(least), Value::Point(most)]);
+        let background = Value::Ink(Ink::Direct(self.tables.background()));
+        self.put(Kind::BackgroundColour, [background]);
+        self.put(Kind::BeginPictureBody, []);
+        self.put_colours();
+        Ok(())
+    }
+
+    /// The colour table: runs of entries that follow one another.
+    fn put_colours(&mut self) {
+        let most = self.encoder.most_colour();
+        let all: Vec<(u32, Colour)> =
+            self.tables.colours.iter().filter(|(index, _)| *index <= most).collect();
+        for run in all.chunk_by(|a, b| a.0 + 1 == b.0) {
+            let start = Value::Ink(Ink::Index(run[0].0));
+            let colours = run.iter().map(|(_, colour)| Value::Ink(Ink::Direct(*colour)));
+            self.put(Kind::ColourTable, std::iter::once(start).chain(colours).collect::<Vec<_>>());
+        }
+    }
+
+    fn end_picture(&mut self) {
+        if std::mem::take(&mut self.open) {
+            self.put(Kind::EndPicture, []);
+        }
+    }
+
+    /// The display surface in NDC, under the transformation of the picture.
+    fn surface(&self) -> Rect<Ndc> {
+        let WorkstationTransformation { window, viewport } = self.current;
+        let (width, height) = self.settings.size;
+        let whole = Rect::<Dc>::new(0.0, width, 0.0, height);
+        let back = Map::window_into_viewport(&window, &viewport).inverse();
+        back.map(|back| back.rect(&whole)).filter(Rect::is_proper).unwrap_or(window)
+    }
+
+    /// The virtual device coordinates of a point of NDC.
+    fn coordinates(&self, p: DVec2) -> DVec2 {
+        self.rounded((p - self.origin) * self.scale)
+    }
+
+    /// Onto the grid of coordinates.
+    fn rounded(&self, v: DVec2) -> DVec2 {
+        let v = v.clamp(DVec2::splat(-self.grid.most), DVec2::splat(self.grid.most));
+        if self.grid.real { v } else { v.round() }
+    }
+
+    /// The index under which a colour index is written.
+    fn colour(&mut self, index: u32) -> u32 {
+        let paint = self.tables.paint(index);
+        let most = self.encoder.most_colour();
+        if paint.index <= most {
+            return paint.index;
+        }
+        if let Some(&stand_in) = self.stand_ins.get(&paint.index) {
+            return stand_in;
+        }
+        let same = self.tables.colours.iter().find(|(at, colour)| *at <= most && *colour == paint.colour);
+        let free = || (1..=most).rev().find(|at| self.tables.colours.get(*at).is_none());
+        let index = match (same, free()) {
+            (Some((at, _)), _) => at,
+            (None, Some(at)) => {
+                let entry = [Value::Ink(Ink::Index(at)), Value::Ink(Ink::Direct(paint.colour))];
+                self.put(Kind::ColourTable, entry);
+                // It is taken from now on.
+                self.tables.colours.set(at, paint.colour);
+                at
+            }
+            (None, None) => nearest(&self.tables, most, paint.colour),
+        };
+        self.stand_ins.insert(paint.index, index);
+        index
+    }
+
+    fn set_colour(&mut self, index: u32, colour: Colour) {
+        self.tables.colours.set(index, colour);
+        self.stand_ins.remove(&index);
+        self.looks = Default::default();
+        if self.open && index <= self.encoder.most_colour() {
+            self.put(Kind::ColourTable, [Value::Ink(Ink::Index(index)), Value::Ink(Ink::Direct(colour))]);
+        }
+    }
+
+    fn set_clip(&mut self, clip: Rect<Ndc>) {
+        if self.clip == Some(clip) {
+            return;
+        }
+        self.clip = Some(clip);
+        // Where nothing is left, a corner is.
+        let window = self.current.window;
+        let part = clip.intersection(&window).unwrap_or(Rect { min: window.min, max: window.min });
+        let corners = [part.min, part.max].map(|corner: Point<Ndc>| self.coordinates(corner.0));
+        self.set(Kind::ClipRectangle, corners.map(Value::Point));
+        self.set(Kind::ClipIndicator, [Value::Integer(1)]);
+    }
+}
+
+/// The index of the colour that is nearest to another one.
+fn nearest(tables: &Tables, most: u32, colour: Colour) -> u32 {
+    let distance = |other: Colour| {
+        let parts = [other.red - colour.red, other.green - colour.green, other.blue - colour.blue];
+        parts.iter().map(|part| part * part).sum::<f32>()
+    };
+    let entries = tables.colours.iter().filter(|(at, _)| *at <= most);
+    let found = entries.min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)));
+    found.map_or(1, |(at, _)| at)
+}
+
+impl Recorder for CgmRecorder {
+    fn draw(&mut self, item: &Item<'_>) -> Result<(), DeviceError> {
+        self.begin_picture()?;
+        self.set_clip(item.clip);
+        match item.shape {
+            Shape::Polyline(paths) => self.lines(paths, item.look),
+            Shape::Polymarker(points) => self.markers(points, item.look),
+            Shape::Text(at, text) => self.text(at, text, item.look),
+            Shape::FillArea(rings) => self.area(rings, item.look),
+            Shape::CellArray(place, cells) => self.cells(&place, &cells),
+            Shape::Generalized(curve, role) => self.curve(&curve, role, item.look),
+        }
+        self.flush(1 << 16)
+    }
+
+    fn control(&mut self, record: &Record<'_>) -> Result<(), DeviceError> {
+        match record {
+            Record::Clear { .. } => {
+                self.end_picture();
+                self.current = self.requested;
+            }
+            Record::ColourRepresentation(index, colour) => self.set_colour(*index, *colour),
+            Record::LineRepresentation(index, bundle) => {
+                self.tables.lines.insert(*index, *bundle);
+            }
+            Record::MarkerRepresentation(index, bundle) => {
+                self.tables.markers.insert(*index, *bundle);
+            }
+            Record::TextRepresentation(index, bundle) => {
+                self.tables.texts.insert(*index, *bundle);
+            }
+            Record::FillRepresentation(index, bundle) => {
+                self.tables.fills.insert(*index, *bundle);
+            }
+            Record::PatternRepresentation(index, pattern) => {
+                self.tables.patterns.insert(*index, (*pattern).clone());
+            }
+            Record::WorkstationWindow(window) => self.requested.window = *window,
+            Record::WorkstationViewport(viewport) => self.requested.viewport = *viewport,
+            Record::Message(text) => {
+                self.begin_metafile()?;
+                self.put(
+                    Kind::Message,
+                    [Value::Integer(0), Value::Text(attributes::encoded(text).into_owned())],
+                );
+            }
+            Record::User(kind, data) => {
+                self.begin_metafile()?;
+                self.put(Kind::ApplicationData, [Value::Integer(*kind), Value::Data(data.to_vec())]);
+            }
+            _ => {}
+        }
+        // Whatever a table says may change what attributes are resolved to.
+        self.looks = Default::default();
+        self.flush(1 << 16)
+    }
+
+    fn close(&mut self) -> Result<(), DeviceError> {
+        if self.pictures == 0 {
+            self.begin_picture()?;
+        }
+        self.end_picture();
+        self.put(Kind::EndMetafile, []);
+        self.flush(0)?;
+        self.sink.finish()?;
+        Ok(())
+    }
+}

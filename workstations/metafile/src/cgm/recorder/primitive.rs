@@ -1,0 +1,110 @@
+//! Lines, markers, text, areas and cells.
+
+use super::CgmRecorder;
+use super::attributes::encoded;
+use crate::cgm::element::{self, Inks, Value};
+use crate::generated::elements::Kind;
+use gks_algorithms::clip;
+use gks_geometry::{Ndc, Paths, Point};
+use gks_pipeline::item::{Cells, Parallelogram};
+use gks_pipeline::look::Look;
+use glam::DVec2;
+use std::borrow::Cow;
+
+impl CgmRecorder {
+    /// How far from the picture coordinates may be, in NDC; an eighth of what the grid reaches.
+    fn reach(&self) -> (DVec2, DVec2) {
+        let most = DVec2::splat(self.grid.most / self.scale / 8.0);
+        (self.origin - most, self.origin + most)
+    }
+
+    fn points(&self, points: &[DVec2]) -> Vec<DVec2> {
+        points.iter().map(|&p| self.coordinates(p)).collect()
+    }
+
+    pub(super) fn lines(&mut self, paths: Paths<'_, Ndc>, look: &Look) {
+        self.set_line(look);
+        let (least, most) = self.reach();
+        for path in paths.iter() {
+            if path.iter().all(|p| p.cmpge(least).all() && p.cmple(most).all()) {
+                self.polyline(path);
+                continue;
+            }
+            // What is far away would not keep its direction.
+            let (mut points, mut ends) = (Vec::new(), Vec::new());
+            clip::polyline((least, most), path, &mut points, &mut ends);
+            for piece in Paths::<Ndc>::new(&points, &ends).iter() {
+                self.polyline(piece);
+            }
+        }
+    }
+
+    pub(super) fn polyline(&mut self, path: &[DVec2]) {
+        let points = self.points(path);
+        self.put(Kind::Polyline, [Value::Points(points)]);
+    }
+
+    pub(super) fn markers(&mut self, points: &[DVec2], look: &Look) {
+        self.set_marker(look);
+        let points = self.points(points);
+        self.put(Kind::Polymarker, [Value::Points(points)]);
+    }
+
+    pub(super) fn text(&mut self, at: Point<Ndc>, text: &str, look: &Look) {
+        self.set_text(look);
+        let at = Value::Point(self.coordinates(at.0));
+        let octets = Value::Text(encoded(text).into_owned());
+        self.put(Kind::Text, [at, Value::Integer(1), octets]);
+    }
+
+    pub(super) fn area(&mut self, rings: Paths<'_, Ndc>, look: &Look) {
+        self.set_fill(look);
+        let reach = self.reach();
+        let mut all: Vec<Cow<'_, [DVec2]>> = Vec::new();
+        for ring in rings.iter() {
+            if ring.iter().all(|p| p.cmpge(reach.0).all() && p.cmple(reach.1).all()) {
+                all.push(Cow::Borrowed(ring));
+            } else {
+                let (mut inside, mut ends) = (Vec::new(), Vec::new());
+                clip::sutherland_hodgman(reach, ring, &mut inside, &mut ends);
+                all.push(Cow::Owned(inside));
+            }
+        }
+        match &all[..] {
+            [ring] => {
+                let points = self.points(ring);
+                self.put(Kind::Polygon, [Value::Points(points)]);
+            }
+            rings => {
+                let mut values = Vec::new();
+                for ring in rings {
+                    for (i, &p) in ring.iter().enumerate() {
+                        let flag = if i + 1 == ring.len() { 3 } else { 1 };
+                        values.extend([Value::Point(self.coordinates(p)), Value::Integer(flag)]);
+                    }
+                }
+                self.put(Kind::PolygonSet, values);
+            }
+        }
+    }
+
+    pub(super) fn cells(&mut self, place: &Parallelogram<Ndc>, cells: &Cells<'_>) {
+        let mut indices = Vec::with_capacity(cells.columns * cells.rows);
+        // Neighbours are often alike, and the index of a colour takes some looking.
+        let mut last = None;
+        for row in 0..cells.rows {
+            for &index in cells.row(row) {
+                let written = match last {
+                    Some((same, written)) if same == index => written,
+                    _ => self.cell(index),
+                };
+                last = Some((index, written));
+                indices.push(written);
+            }
+        }
+        let [p, r, q, _] = place.corners().map(|corner| Value::Point(self.coordinates(corner.0)));
+        let (columns, rows) = (cells.columns, cells.rows);
+        let cells = element::Cells { columns, rows, inks: Inks::Indices(indices) };
+        self.put(Kind::CellArray, [p, q, r, Value::Cells(cells)]);
+    }
+}
