@@ -48,7 +48,8 @@ impl Coordinates {
     /// The grid of these coordinates.
     pub fn grid(self) -> Grid {
         match self {
-            Coordinates::Integer16 => Grid { real: false, units: 32767.0, most: 32767.0 },
+            // With as much room around the picture as it takes itself.
+            Coordinates::Integer16 => Grid { real: false, units: 16383.0, most: 32767.0 },
             // As fine as the mantissa of a single precision number, with room around the picture.
             Coordinates::Integer32 => Grid { real: false, units: 16_777_216.0, most: 2_147_483_647.0 },
             Coordinates::Real => Grid { real: true, units: 1.0, most: 16384.0 },

@@ -7,7 +7,7 @@ use crate::cgm::coding::{Modes, SizeMode};
 use crate::cgm::decoder::Decoder;
 use crate::cgm::element::{Cells, Element, Ink, Inks, Value};
 use crate::cgm::parameter::Parameter;
-use crate::generated::elements::{ELEMENTS, Kind, Row};
+use crate::generated::elements::{ELEMENTS, Kind};
 use gks_pipeline::record::SourceError;
 use glam::DVec2;
 use std::io::{ErrorKind, Read};
@@ -200,7 +200,7 @@ impl<R: Read> CharacterDecoder<R> {
             let mut operands = Operands::new(&operands);
             while row.kind == Kind::BeginMetafile && operands.character().is_some() {}
             let mut element = Element::new(row.kind, []);
-            if self.coding.list(row, row.parameters, &mut operands, &mut element.values).is_none()
+            if self.coding.list(row.parameters, &mut operands, &mut element.values).is_none()
                 && !operands.is_empty()
             {
                 self.skipped += 1;
@@ -236,7 +236,6 @@ impl Coding {
 
     fn list(
         &self,
-        row: &Row,
         parameters: &[Parameter],
         operands: &mut Operands<'_>,
         values: &mut Vec<Value>,
@@ -265,7 +264,7 @@ impl Coding {
                 }
                 Parameter::Repeat(group) => {
                     while !operands.is_empty() {
-                        self.list(row, group, operands, values)?;
+                        self.list(group, operands, values)?;
                     }
                 }
                 Parameter::Precision => {

@@ -155,6 +155,7 @@ impl CharacterEncoder {
             (Parameter::LineWidth, Value::Real(x)) => self.size(*x, self.modes.line_width),
             (Parameter::MarkerSize, Value::Real(x)) => self.size(*x, self.modes.marker_size),
             (Parameter::EdgeWidth, Value::Real(x)) => self.size(*x, self.modes.edge_width),
+            (Parameter::StyleSize, Value::Real(x)) => self.size(*x, self.modes.style_size),
             (_, Value::Real(x)) => self.real(*x),
             (_, Value::Point(p)) => {
                 self.coordinate(p.x);

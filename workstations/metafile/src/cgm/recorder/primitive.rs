@@ -12,9 +12,9 @@ use glam::DVec2;
 use std::borrow::Cow;
 
 impl CgmRecorder {
-    /// How far from the picture coordinates may be, in NDC; an eighth of what the grid reaches.
+    /// The rectangle in NDC whose coordinates can be written.
     fn reach(&self) -> (DVec2, DVec2) {
-        let most = DVec2::splat(self.grid.most / self.scale / 8.0);
+        let most = DVec2::splat(self.grid.most / self.scale);
         (self.origin - most, self.origin + most)
     }
 
