@@ -14,8 +14,6 @@ mod header;
 mod numbers;
 mod samples;
 mod tables;
-mod wrappers;
-mod wrappers_c;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -38,10 +36,8 @@ const OUTPUTS: &[(&str, Generator)] = &[
     }),
     ("bindings/cli/src/generated/coverage.rs", coverage::generate),
     ("bindings/c/include/gks.h", header::generate),
-    ("bindings/c/src/generated/unbuilt.rs", wrappers_c::generate),
     ("bindings/fortran/include/gks.inc", fortran_include::generate),
     ("bindings/fortran/include/gkspar.inc", fortran_include::generate_demonstration),
-    ("bindings/fortran/src/generated/unbuilt.rs", wrappers::generate),
     ("workstations/metafile/src/generated/mod.rs", |_| {
         module("Copied out of the tables in `spec/cgm`.", &["elements"])
     }),

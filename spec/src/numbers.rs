@@ -198,6 +198,23 @@ fn write_scalars(out: &mut String, numbers: &Numbers) {
             constant(name)
         );
     }
+    for (name, value) in &numbers.input {
+        let _ = writeln!(
+            out,
+            "\n/// The {} of input devices of a workstation just opened.\npub const INPUT_{}: f64 = {value:?};",
+            name.replace('_', " "),
+            constant(name)
+        );
+    }
+    for (name, size) in &numbers.input_buffer {
+        let _ = writeln!(
+            out,
+            "\n/// What the buffer of a {name} device of a workstation just opened holds.\npub const INPUT_BUFFER_{}: usize = {size};",
+            constant(name)
+        );
+    }
+    let rows = numbers.input_class.iter().map(|class| format!("&{:?}", class.prompts));
+    array(out, "PROMPTS", "&[i32]", "The prompt and echo types of the input classes, in their order.", rows);
     for error in &numbers.binding_error {
         let _ = writeln!(
             out,

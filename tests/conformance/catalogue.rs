@@ -3,11 +3,14 @@
 
 use gks_pipeline::description::{Catalogue, Category, Description, OpenError};
 use gks_pipeline::device::{Device, DeviceError, Drawn, FrameBuffer, Mark, Page, Surface};
+use gks_pipeline::input::{Input, LogicalDevice, Measure, Report, Setting};
 use gks_pipeline::workstation::Backend;
 use gks_workstations::catalogue::Drivers;
 use gks_workstations::environment::Environment;
+use std::collections::BTreeMap;
 use std::io;
 use std::sync::{Arc, Mutex};
+use std::time::Duration;
 
 /// The type of the library that draws nothing, a display surface without pixels.
 pub(crate) const NULL: i32 = 900;
@@ -19,6 +22,10 @@ pub(crate) const BROKEN: i32 = 90_001;
 pub(crate) const UNENCODABLE: i32 = 90_002;
 /// As [`FRAME_BUFFER`], but with a table of 256 colours.
 pub(crate) const INDEXED: i32 = 90_003;
+/// As [`NULL`], but with an operator and [`DEVICES`] input devices of each class.
+pub(crate) const OPERATED: i32 = 90_004;
+/// How many input devices of each class the workstations with an operator have.
+pub(crate) const DEVICES: u32 = 3;
 /// The type of a category is this number plus the category; otherwise as [`NULL`].
 pub(crate) const CATEGORIES: i32 = 91_000;
 
@@ -54,7 +61,7 @@ impl Recording {
 /// The type of the library that a type of these tests is made of.
 fn base(number: i32) -> i32 {
     match number {
-        BROKEN | UNENCODABLE => NULL,
+        BROKEN | UNENCODABLE | OPERATED => NULL,
         INDEXED => FRAME_BUFFER,
         _ if Category::from_number(number - CATEGORIES).is_some() => NULL,
         _ => number,
@@ -65,7 +72,12 @@ fn base(number: i32) -> i32 {
 fn changed(number: i32, description: Description) -> Description {
     let category = Category::from_number(number - CATEGORIES).unwrap_or(description.category);
     let colours = if number == INDEXED { 256 } else { description.colours };
-    Description { number, category, colours, ..description }
+    let category = if number == OPERATED { Category::OutIn } else { category };
+    let input = match category {
+        Category::OutIn | Category::Input => [DEVICES; 6],
+        _ => description.input,
+    };
+    Description { number, category, colours, input, ..description }
 }
 
 impl Catalogue for Recording {
@@ -86,7 +98,10 @@ impl Catalogue for Recording {
         if number == CATEGORIES + Category::Wiss as i32 {
             return Ok((Backend::Storage, changed(number, description)));
         }
-        let recorded = Recorded { device, fault: number, log: self.log.clone() };
+        let operator =
+            matches!(changed(number, description.clone()).category, Category::OutIn | Category::Input)
+                .then(Operator::default);
+        let recorded = Recorded { device, fault: number, log: self.log.clone(), operator };
         Ok((Backend::Device(Box::new(recorded)), changed(number, description)))
     }
 }
@@ -97,6 +112,31 @@ struct Recorded {
     /// The type of the workstation, which may be one that fails.
     fault: i32,
     log: Log,
+    operator: Option<Operator>,
+}
+
+/// An operator who enters the initial values of all devices that are started, by one trigger at a time.
+#[derive(Default)]
+struct Operator(BTreeMap<(i32, i32), (LogicalDevice, Measure)>);
+
+impl Input for Operator {
+    fn start(&mut self, device: LogicalDevice, setting: &Setting) -> Result<(), DeviceError> {
+        self.0.insert((device.class as i32, device.number), (device, setting.initial.clone()));
+        Ok(())
+    }
+
+    fn stop(&mut self, device: LogicalDevice) -> Result<(), DeviceError> {
+        self.0.remove(&(device.class as i32, device.number));
+        Ok(())
+    }
+
+    fn sample(&mut self, device: LogicalDevice) -> Result<Option<Measure>, DeviceError> {
+        Ok(self.0.get(&(device.class as i32, device.number)).map(|(_, measure)| measure.clone()))
+    }
+
+    fn wait(&mut self, _patience: Option<Duration>) -> Result<Report, DeviceError> {
+        Ok(Report::Trigger(self.0.values().cloned().collect()))
+    }
 }
 
 impl Recorded {
@@ -144,5 +184,9 @@ impl Device for Recorded {
 
     fn frame_buffer(&mut self) -> Option<&mut dyn FrameBuffer> {
         self.device.frame_buffer()
+    }
+
+    fn input(&mut self) -> Option<&mut dyn Input> {
+        self.operator.as_mut().map(|operator| operator as &mut dyn Input)
     }
 }

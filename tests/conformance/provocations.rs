@@ -37,6 +37,7 @@ impl Provocation {
     }
 }
 
+/// The call that meets an error, about the workstation or the type of the sample call.
 pub(crate) const fn meets(error: i32, function: Function, call: Call) -> Provocation {
     Provocation { function, error, subject: None, before: |_| {}, call }
 }

@@ -1,7 +1,7 @@
 //! The situations in which functions are called, and all that can be inquired of one.
 
-use crate::catalogue::{CATEGORIES, FRAME_BUFFER, INDEXED, Log, NULL, Recording};
-use gks::{Gks, OperatingState, Result, ValueType};
+use crate::catalogue::{CATEGORIES, DEVICES, FRAME_BUFFER, INDEXED, Log, NULL, OPERATED, Recording};
+use gks::{Gks, OperatingMode, OperatingState, Result, ValueType};
 use gks_pipeline::description::Category;
 
 /// A workstation of type [`FRAME_BUFFER`], active where any is.
@@ -10,6 +10,9 @@ pub(crate) const ACTIVE: i32 = 1;
 pub(crate) const INACTIVE: i32 = 2;
 /// A workstation of type [`INDEXED`] that is not active.
 pub(crate) const COLOUR_TABLE: i32 = 4;
+/// A workstation of type [`OPERATED`] that is not active, whose input devices 1 are in mode REQUEST, 2 in SAMPLE
+/// and 3 in EVENT.
+pub(crate) const WITH_OPERATOR: i32 = 5;
 /// The workstation identifier of a category is this number plus the category. Those that can be active are so
 /// where any is, but for INPUT and MI, which never can.
 pub(crate) const OF_CATEGORY: i32 = 10;
@@ -48,6 +51,10 @@ pub(crate) fn at(state: OperatingState) -> (Gks, Log) {
         open(&mut gks, INACTIVE, NULL);
         open(&mut gks, of_category(Category::Wiss), CATEGORIES + Category::Wiss as i32);
         store_segment(&mut gks).expect("the workstations have just been opened");
+        open(&mut gks, WITH_OPERATOR, OPERATED);
+        for set in OF_ALL.into_iter().chain([Gks::set_pick_mode as SetMode]) {
+            operate(&mut gks, WITH_OPERATOR, set);
+        }
     }
     if matches!(state, OperatingState::Wsac | OperatingState::Sgop) {
         gks.activate_workstation(ACTIVE).expect("the workstation has just been opened");
@@ -78,6 +85,7 @@ pub(crate) fn all_categories() -> (Gks, Log) {
     for category in CATEGORIES_OPEN.into_iter().filter(|&category| category != Category::Wiss) {
         open(&mut gks, of_category(category), CATEGORIES + category as i32);
     }
+    OF_ALL.into_iter().for_each(|set| operate(&mut gks, of_category(Category::Input), set));
     (gks, log)
 }
 
@@ -88,6 +96,32 @@ pub(crate) const fn of_category(category: Category) -> i32 {
 
 fn open(gks: &mut Gks, id: i32, kind: i32) {
     gks.open_workstation(id, "", kind).expect("the identifier is free, the type is known");
+}
+
+/// A function that sets the mode of an input device.
+type SetMode = fn(&mut Gks, i32, i32, OperatingMode, bool) -> Result<()>;
+
+/// Those of the classes that workstations without output have, too.
+const OF_ALL: [SetMode; 5] = [
+    Gks::set_locator_mode,
+    Gks::set_stroke_mode,
+    Gks::set_valuator_mode,
+    Gks::set_choice_mode,
+    Gks::set_string_mode,
+];
+
+/// Sets input device 2 to mode SAMPLE and 3 to EVENT.
+fn operate(gks: &mut Gks, id: i32, set: SetMode) {
+    for (number, mode) in [(2, OperatingMode::Sample), (3, OperatingMode::Event)] {
+        set(gks, id, number, mode, false).expect("the workstation has the device");
+    }
+}
+
+macro_rules! devices {
+    ($lines:ident, $gks:ident, $id:ident, $number:ident: $($name:ident($($of:expr)?))+) => { $(
+        let state = $gks.$name($id, $number, $($of)?);
+        $lines.push(format!("{} {:?} {:?} {state:?}", stringify!($name), $id, $number));
+    )+ };
 }
 
 macro_rules! lines {
@@ -114,6 +148,7 @@ pub(crate) fn state_lists(gks: &Gks) -> Vec<String> {
         inquire_operating_state_value inquire_current_primitive_attribute_values
         inquire_current_individual_attribute_values inquire_current_normalization_transformation_number
         inquire_list_of_normalization_transformation_numbers inquire_clipping
+        inquire_current_pick_identifier_value inquire_more_simultaneous_events current_event
     }
     for number in gks.inquire_list_of_normalization_transformation_numbers().unwrap_or_default() {
         let transformation = gks.inquire_normalization_transformation(*number);
@@ -140,6 +175,16 @@ fn workstation(gks: &Gks, id: i32, lines: &mut Vec<String>) {
     lines.push(format!("transformation {id} {:?}", gks.inquire_workstation_transformation(id)));
     let names = gks.inquire_set_of_segment_names_on_workstation(id).map(Iterator::collect::<Vec<_>>);
     lines.push(format!("segments {id} {names:?}"));
+    for number in 1..=DEVICES as i32 {
+        devices! { lines, gks, id, number:
+            inquire_locator_device_state(ValueType::Set)
+            inquire_stroke_device_state(ValueType::Set)
+            inquire_valuator_device_state()
+            inquire_choice_device_state()
+            inquire_pick_device_state(ValueType::Set)
+            inquire_string_device_state()
+        }
+    }
     tables! { lines, gks, id:
         inquire_list_of_polyline_indices inquire_polyline_representation
         inquire_list_of_polymarker_indices inquire_polymarker_representation

@@ -87,11 +87,6 @@ fn types_of_workstations_are_described() {
 }
 
 #[test]
-fn what_is_not_built_says_so() {
-    passes("unbuilt", Linking::Shared);
-}
-
-#[test]
 fn an_error_handler_is_set_and_given_back() {
     for linking in BOTH {
         let Some(folder) = passes("handler", linking) else { return };
@@ -182,4 +177,15 @@ fn the_headers_are_cpp() {
         .output()
         .expect("g++ runs");
     assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+}
+
+#[test]
+fn a_script_operates_input_devices() {
+    if !has_compiler() {
+        return;
+    }
+    // The program in Fortran has the same operator.
+    let script = repository().join("tests/programs/f/input.txt");
+    let program = compile(&folder("input"), "input", Linking::Shared);
+    assert_good(&run(&program, &[("GKS_SCRIPT", &script.to_string_lossy())]));
 }

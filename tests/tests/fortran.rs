@@ -76,11 +76,6 @@ fn parts_of_arrays_are_drawn_and_read_back() {
 }
 
 #[test]
-fn what_is_not_built_says_so() {
-    passes_shared(&["unbuilt", "recorder"]);
-}
-
-#[test]
 fn an_error_handler_of_the_program_wins() {
     for linking in [Linking::Shared, Linking::Static] {
         let Some(folder) = passes(&["handler"], linking, &[]) else { return };
@@ -165,4 +160,10 @@ fn every_name_of_the_standard_is_there() {
     assert!(missing.is_empty(), "{missing:?}");
     assert!(has("gzw2nx") && has("gzw2ny"));
     assert!(!has("gxxxxx"));
+}
+
+#[test]
+fn a_script_operates_input_devices() {
+    let script = repository().join("tests/programs/f/input.txt");
+    passes(&["input", "recorder"], Linking::Shared, &[("GKS_SCRIPT", &script.to_string_lossy())]);
 }

@@ -170,8 +170,16 @@ impl Drivers {
         if let Some(text) = self.environment.conid.as_deref() {
             set(&format!("GKS_CONID={text}"), split_connection(text).1)?;
         }
+        if let Some(script) = self.environment.script.as_ref().filter(|_| options.script.is_none()) {
+            options.script = Some(script.clone());
+        }
         options.outlines |= selection.kind.number == own::SVG_OUTLINES;
         Ok(options)
+    }
+
+    /// Whether the user has named a file.
+    fn names_file(&self, selection: &Selection) -> bool {
+        self.environment.conid.is_some() || selection.file.is_some()
     }
 
     /// The file that a workstation writes.
@@ -214,7 +222,10 @@ impl Catalogue for Drivers {
         if selection.kind.number == own::WISS {
             return Ok((Backend::Storage, description));
         }
-        if selection.kind.extension.is_empty() {
+        // What is there for its input writes a picture only where somebody has asked for one.
+        let unasked =
+            target.invented && selection.kind.number == own::SCRIPTED && !self.names_file(&selection);
+        if selection.kind.extension.is_empty() || unasked {
             let device = drivers::open(selection.kind, &options, None).map_err(refused)?;
             return Ok((Backend::Device(device), description));
         }

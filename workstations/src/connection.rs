@@ -78,6 +78,11 @@ fn is_display(connection: &str) -> bool {
         && display.split_once('.').map_or(digits(display), |(d, screen)| digits(d) && digits(screen))
 }
 
+/// The text of a file.
+pub(crate) fn read(name: &str) -> Result<String, String> {
+    std::fs::read_to_string(name).map_err(|error| format!("{name}: {error}"))
+}
+
 /// The sink that writes a file, or the standard output for `-`.
 pub(crate) fn open(name: &str) -> io::Result<Box<dyn Sink>> {
     match name {

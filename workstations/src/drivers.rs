@@ -1,11 +1,13 @@
 //! Which driver serves which workstation type.
 
+use crate::connection;
 use crate::hpgl::{self, Hpgl};
 use crate::null::Null;
 use crate::options::{Options, SizeLimits};
 use crate::pdf::{self, Pdf};
 use crate::postscript::{self, PostScript};
 use crate::raster::{self, Format, Indexed, SizeError, TrueColour};
+use crate::scripted::{self, Scripted};
 use crate::svg::{self, Svg};
 use gks_pipeline::description::{Category, Description};
 use gks_pipeline::device::{Device, Sink};
@@ -33,6 +35,7 @@ pub(crate) fn describe(kind: &WorkstationType, options: &Options) -> Result<Desc
         own::PNG | own::JPEG | own::TIFF | own::BMP | own::WEBP | own::FRAMEBUFFER | own::NULL => {
             raster::true_colour(number, name, options).map_err(|error| error.to_string())
         }
+        own::SCRIPTED => scripted::describe(number, name, options).map_err(|error| error.to_string()),
         own::HPGL => Ok(hpgl::describe(number, name, options)),
         own::WISS => {
             let storage = raster::true_colour(number, name, &Options::default());
@@ -63,6 +66,16 @@ pub(crate) fn open(
         (own::PS, Some(sink)) => Box::new(PostScript::new(sink, options)),
         (own::EPS, Some(sink)) => Box::new(PostScript::encapsulated(sink, options)),
         (own::HPGL, Some(sink)) => Box::new(Hpgl::new(sink, options)),
+        (own::SCRIPTED, sink) => {
+            let picture = TrueColour::new(options, sink.zip(Some(Format::Png))).map_err(refused)?;
+            let script = options.script.as_deref().map_or(Ok(String::new()), connection::read)?;
+            let scripted = Scripted::new(picture, &script, connection::open);
+            Box::new(
+                scripted.map_err(|error| {
+                    format!("script {}: {error}", options.script.as_deref().unwrap_or(""))
+                })?,
+            )
+        }
         (own::NULL, None) => Box::new(Null::new(options).map_err(refused)?),
         (number @ (own::PNG8 | own::FRAMEBUFFER8), sink) => {
             Box::new(Indexed::new(options, sink.zip(format(number))).map_err(refused)?)

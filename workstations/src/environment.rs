@@ -15,6 +15,8 @@ pub struct Environment {
     pub conid: Option<String>,
     /// `GKS_OPTIONS`: options for all workstations.
     pub options: Option<String>,
+    /// `GKS_SCRIPT`: the file with the script of scripted workstations.
+    pub script: Option<String>,
     /// `GKS_DIALECT`: whose workstation type numbers programs use.
     pub dialect: Option<String>,
 }
@@ -36,6 +38,7 @@ impl Environment {
             ),
             conid: variable("GKS_CONID"),
             options: variable("GKS_OPTIONS"),
+            script: variable("GKS_SCRIPT"),
             dialect: variable("GKS_DIALECT"),
         }
     }
@@ -59,6 +62,7 @@ mod tests {
             "GKS_WSTYPE_FORCE" => Some("1".to_owned()),
             "GKS_CONID" => Some(String::new()),
             "GKS_OPTIONS" => Some("dpi=300".to_owned()),
+            "GKS_SCRIPT" => Some("a.script".to_owned()),
             "GKS_DIALECT" => Some("NCAR".to_owned()),
             _ => None,
         };
@@ -68,6 +72,7 @@ mod tests {
             force: true,
             conid: None,
             options: Some("dpi=300".to_owned()),
+            script: Some("a.script".to_owned()),
             dialect: Some("NCAR".to_owned()),
         };
         assert_eq!(environment, expected);

@@ -19,5 +19,6 @@ mod paper;
 pub mod pdf;
 pub mod postscript;
 pub mod raster;
+pub mod scripted;
 pub mod sink;
 pub mod svg;

@@ -23,6 +23,8 @@ pub struct Options {
     pub antialias: Option<bool>,
     /// Characters as outlines instead of text.
     pub outlines: bool,
+    /// The file with the script of a scripted workstation.
+    pub script: Option<String>,
     /// Quality of lossy formats from 1 to 100.
     pub quality: Option<u8>,
 }
@@ -48,7 +50,7 @@ pub enum OptionError {
     },
 }
 
-const NAMES: &str = "size, dpi, landscape, background, antialias, outlines, quality";
+const NAMES: &str = "size, dpi, landscape, background, antialias, outlines, quality, script";
 
 /// The sizes of display surfaces that a kind of device accepts.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -104,6 +106,7 @@ impl Options {
             }
             "antialias" => self.antialias = Some(switch("antialias", value)?),
             "outlines" => self.outlines = switch("outlines", value)?,
+            "script" => self.script = Some(value.to_owned()),
             "quality" => {
                 let quality: Option<u8> = value.parse().ok().filter(|q| (1..=100).contains(q));
                 self.quality =
@@ -198,7 +201,7 @@ mod tests {
 
     #[test]
     fn all_options_are_read() {
-        let list = "size=1600x1200&dpi=300&landscape=1&background=#ff8000&antialias=0&outlines=1&quality=90";
+        let list = "size=1600x1200&dpi=300&landscape=1&background=#ff8000&antialias=0&outlines=1&quality=90&script=in/a.script";
         let expected = Options {
             size: Some((1600.0, 1200.0)),
             dpi: Some(300.0),
@@ -207,6 +210,7 @@ mod tests {
             transparent: false,
             antialias: Some(false),
             outlines: true,
+            script: Some("in/a.script".to_owned()),
             quality: Some(90),
         };
         assert_eq!(parse(list), Ok(expected.clone()));

@@ -117,14 +117,6 @@ impl<T> Out<T> {
         }
     }
 
-    /// Sets the value to zero.
-    pub(crate) fn clear(self) {
-        if !self.0.is_null() {
-            // SAFETY: the contract of the crate; all types of the binding have zero as a value.
-            unsafe { self.0.write_bytes(0, 1) }
-        }
-    }
-
     /// The value that the program has set before the call.
     pub(crate) fn get(self) -> Option<T>
     where

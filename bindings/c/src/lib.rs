@@ -19,6 +19,7 @@ mod control;
 mod error;
 mod escape;
 mod frame_buffer;
+mod input;
 mod inquiry;
 mod metafile;
 mod output;
@@ -26,11 +27,6 @@ mod segment;
 mod store;
 mod transformation;
 mod types;
-mod unbuilt;
-mod generated {
-    #[rustfmt::skip]
-    mod unbuilt;
-}
 
 // The Fortran binding is part of the library: its functions are exported by their own names.
 use gks_fortran as _;

@@ -24,6 +24,7 @@ mod call;
 mod control;
 mod data_record;
 mod error_log;
+mod input;
 mod inquiry;
 mod metafile;
 mod ncar;
@@ -31,8 +32,3 @@ mod output;
 mod representation;
 mod segment;
 mod transformation;
-mod unbuilt;
-mod generated {
-    #[rustfmt::skip]
-    mod unbuilt;
-}

@@ -1,6 +1,7 @@
 //! Control: opening and closing, workstations, clearing and updating.
 
 use crate::gks::{OpenWorkstation, device_error};
+use crate::input::Devices;
 use crate::{Defaults, Error, Function, Gks, OperatingState, Result};
 use gks_pipeline::description::{Category, DeferralMode, OpenError, RegenerationMode};
 use gks_pipeline::generated::numbers;
@@ -64,9 +65,10 @@ impl Gks {
         })?;
         let Defaults { substitutes, marker_scale, .. } = self.defaults;
         let tables = Tables { substitutes, marker_scale, ..Tables::predefined() };
+        let input = Devices::new(&description);
         let workstation = Workstation::new(device, description, tables);
         let connection = connection.to_owned();
-        self.workstations.insert(id, OpenWorkstation { workstation, connection, kind, active: false });
+        self.workstations.insert(id, OpenWorkstation { workstation, connection, kind, active: false, input });
         if self.state == OperatingState::Gkop {
             self.state = OperatingState::Wsop;
         }
@@ -77,18 +79,22 @@ impl Gks {
     /// other workstation are deleted.
     ///
     /// A necessary new frame is made, unless primitives outside of segments would be lost with it: nobody is
-    /// there to see them vanish. The workstation is closed even if completing the picture fails. Errors: 7, 20, 25, 29 (active), 303.
+    /// there to see them vanish. The workstation is closed even if completing the picture fails. Its events are
+    /// removed from the queue. Errors: 7, 20, 25, 29 (active), 147 (event reports have been lost; the next call
+    /// will close it), 303.
     pub fn close_workstation(&mut self, id: i32) -> Result<()> {
         const F: Function = Function::CloseWorkstation;
         self.check_state(F)?;
         if self.workstation(F, id)?.active {
             return Err(Error::new(29, F).because(format!("workstation identifier {id}")));
         }
+        self.check_overflow(F)?;
         self.remove_workstation(F, id)
     }
 
     fn remove_workstation(&mut self, function: Function, id: i32) -> Result<()> {
         let Some(mut open) = self.workstations.remove(&id) else { return Ok(()) };
+        self.events.forget(id);
         let worth = open.workstation.is_worth_redrawing();
         let redrawn = if worth { open.workstation.redraw(self.segments.on(id)) } else { Ok(()) };
         self.segments.forget(id);

@@ -1,6 +1,7 @@
 //! The kernel as a value.
 
 use crate::attributes::Geometry;
+use crate::input::{Devices, EventQueue};
 use crate::normalization::Normalization;
 use crate::{Error, Function, OperatingState, Result};
 use gks_geometry::{Ndc, PathBuf};
@@ -29,6 +30,8 @@ pub struct Gks {
     pub(crate) normalization: Normalization,
     /// The current pick identifier.
     pub(crate) pick: i32,
+    /// Events that the application has not taken yet.
+    pub(crate) events: EventQueue,
     /// Open workstations by workstation identifier.
     pub(crate) workstations: BTreeMap<i32, OpenWorkstation>,
     pub(crate) segments: Segments,
@@ -47,6 +50,8 @@ pub(crate) struct OpenWorkstation {
     pub(crate) connection: String,
     pub(crate) kind: i32,
     pub(crate) active: bool,
+    /// The logical input devices.
+    pub(crate) input: Devices,
 }
 
 /// The open segment.
@@ -93,6 +98,7 @@ impl Gks {
             geometry_stale: true,
             normalization: Normalization::default(),
             pick: 0,
+            events: EventQueue::default(),
             workstations: BTreeMap::new(),
             segments: Segments::new(),
             open_segment: None,
@@ -123,6 +129,7 @@ impl Gks {
         self.pick = 0;
         self.segments = Segments::new();
         self.open_segment = None;
+        self.events = EventQueue::default();
     }
 
     /// Checks that `function` may be called in the current operating state.

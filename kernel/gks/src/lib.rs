@@ -10,6 +10,7 @@ mod escape;
 mod gdp;
 pub mod generated;
 mod gks;
+mod input;
 mod inquiry;
 mod matrix;
 mod metafile;
@@ -26,6 +27,10 @@ pub use crate::data_record::{DataRecord, Line};
 pub use crate::error::{Error, Result};
 pub use crate::generated::function::{Function, Level, OperatingState, StateMask};
 pub use crate::gks::{Defaults, Gks, MessageHandler};
+pub use crate::input::{
+    DefaultDevice, Detail, DeviceState, InputClass, InputStatus, InputValue, LocatorValue, OperatingMode,
+    PickValue, StrokeValue,
+};
 pub use crate::inquiry::{
     AttributeGroup, ColourFacilities, DeferralAndUpdateStates, DisplaySpaceSize, FillAreaFacilities,
     IndividualAttributes, MaximumTableLengths, PixelArray, PolylineFacilities, PolymarkerFacilities,

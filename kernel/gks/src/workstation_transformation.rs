@@ -3,6 +3,7 @@
 use crate::gks::device_error;
 use crate::{Error, Function, Gks, Result};
 use gks_geometry::{Dc, Ndc, Rect};
+use gks_pipeline::description::Description;
 
 /// Limits of a workstation viewport closer than this to an edge of the display surface, in units of its
 /// width or height, are on the edge: callers in single precision cannot name it exactly.
@@ -40,9 +41,7 @@ impl Gks {
         let workstation = self.suitable_workstation(F, id)?;
         let (width, height) = workstation.description().size();
         let given: Rect<Dc> = viewport.into();
-        let [xmin, xmax, ymin, ymax] = given.limits();
-        let (x, y) = (|x| on_edge(x, width), |y| on_edge(y, height));
-        let viewport = Rect::new(x(xmin), x(xmax), y(ymin), y(ymax));
+        let viewport = on_display(given, workstation.description());
         if !viewport.is_proper() {
             return Err(Error::new(51, F).because(format!("limits {:?}", given.limits())));
         }
@@ -52,6 +51,14 @@ impl Gks {
         let set = workstation.set_viewport(viewport).map_err(|e| device_error(F, &e));
         self.settle(F, id).and(set)
     }
+}
+
+/// A rectangle on the display surface, its limits put on the edges that they are very close to.
+pub(crate) fn on_display(rect: Rect<Dc>, description: &Description) -> Rect<Dc> {
+    let (width, height) = description.size();
+    let [xmin, xmax, ymin, ymax] = rect.limits();
+    let (x, y) = (|x| on_edge(x, width), |y| on_edge(y, height));
+    Rect::new(x(xmin), x(xmax), y(ymin), y(ymax))
 }
 
 /// The limit `at`, put on the edge 0 or `size` if it is that close.

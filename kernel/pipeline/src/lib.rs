@@ -16,6 +16,7 @@ pub mod look;
 pub mod look_difference;
 pub mod lower;
 pub mod painter;
+pub mod pick;
 mod realized;
 pub mod record;
 pub mod recording;

@@ -232,6 +232,25 @@ impl Workstation {
         painter.paint(item, &mut canvas)
     }
 
+    /// Paints an item on another device as it would be drawn here, moved by a segment transformation.
+    pub(crate) fn paint_on(
+        &mut self,
+        device: &mut dyn Device,
+        item: &Item<'_>,
+        transformation: &Map<Ndc, Ndc>,
+    ) -> Result<(), DeviceError> {
+        let Workstation { description, tables, painter, map, current, .. } = self;
+        let mut canvas = Canvas {
+            device,
+            surface: &description.surface,
+            tables,
+            map: transformation.then(map),
+            clip_map: *map,
+            window: current.window,
+        };
+        painter.paint(item, &mut canvas)
+    }
+
     /// Clears the display surface if something is drawn on it, and lets the requested transformation take
     /// effect. What was drawn is complete: a file that holds one page is written.
     ///

@@ -10,6 +10,7 @@ pub(super) fn check(tables: &Tables, faults: &mut Vec<String>) {
     duplicates(numbers, faults);
     workstation_types(numbers, faults);
     looks(numbers, faults);
+    input(tables, faults);
     references(tables, faults);
     colour_table(numbers, faults);
     least_support(tables, faults);
@@ -57,6 +58,24 @@ fn workstation_types(numbers: &Numbers, faults: &mut Vec<String>) {
         let limit = numbers.limits.get("colours").copied().unwrap_or(0);
         if kind.meaning.is_empty() || kind.colours.is_some_and(|colours| colours > limit) {
             faults.push(format!("workstation type {}: no meaning, or too many colours", kind.name));
+        }
+    }
+}
+
+/// There is a row for every input class, in order, and each class has prompt and echo type 1.
+fn input(tables: &Tables, faults: &mut Vec<String>) {
+    let rows = &tables.numbers.input_class;
+    let classes = tables.enumerations.enumeration.iter().find(|e| e.name == "input class");
+    let names: Vec<String> = classes.map_or(Vec::new(), |classes| {
+        let own = classes.values.iter().filter(|value| value.value > 0);
+        own.filter_map(|value| Some(value.rust.as_ref()?.to_lowercase())).collect()
+    });
+    if !rows.iter().map(|row| &row.name).eq(&names) {
+        faults.push(format!("the input classes are not those of the enumeration: {names:?}"));
+    }
+    for row in rows {
+        if row.prompts.first() != Some(&1) || !row.prompts.is_sorted_by(|a, b| a < b) {
+            faults.push(format!("{}: prompt and echo types start with 1 and increase", row.name));
         }
     }
 }

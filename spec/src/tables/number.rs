@@ -10,6 +10,9 @@ use serde::Deserialize;
 pub(crate) struct Numbers {
     pub(crate) nominal: BTreeMap<String, f64>,
     pub(crate) limits: BTreeMap<String, u32>,
+    pub(crate) input: BTreeMap<String, f64>,
+    pub(crate) input_buffer: BTreeMap<String, u32>,
+    pub(crate) input_class: Vec<InputClass>,
     pub(crate) binding_error: Vec<Named>,
     pub(crate) workstation_type: Vec<WorkstationType>,
     pub(crate) reserved_workstation_types: Vec<Reserved>,
@@ -34,6 +37,13 @@ pub(crate) struct Numbers {
 pub(crate) struct Named {
     pub(crate) number: i32,
     pub(crate) name: String,
+}
+
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct InputClass {
+    pub(crate) name: String,
+    pub(crate) prompts: Vec<i32>,
 }
 
 #[derive(Debug, Clone, Deserialize)]

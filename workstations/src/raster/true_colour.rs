@@ -91,6 +91,20 @@ impl TrueColour {
         SharedPixels { canvas: Arc::clone(&self.canvas) }
     }
 
+    /// Writes the picture as it is now as an image file.
+    pub fn write(&self, sink: &mut dyn Sink, format: Format) -> Result<(), DeviceError> {
+        let canvas = lock(&self.canvas);
+        let samples = if self.opaque {
+            let mut rgb = Vec::with_capacity(self.layout.pixels() * 3);
+            rgb.extend(canvas.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]));
+            Samples::Rgb(rgb)
+        } else {
+            Samples::Rgba(canvas.clone().take_demultiplied())
+        };
+        drop(canvas);
+        encode::write(samples, self.layout, format, self.quality, sink)
+    }
+
     fn fill(&self, outline: Outline, rule: FillRule, colour: Colour) {
         if let Some(path) = outline.finish() {
             let mut paint = Paint { anti_alias: self.antialias, ..Paint::default() };
@@ -240,17 +254,10 @@ impl Device for TrueColour {
     }
 
     fn end(&mut self) -> Result<(), DeviceError> {
-        let Some((sink, format)) = &mut self.output else { return Ok(()) };
-        let canvas = lock(&self.canvas);
-        let samples = if self.opaque {
-            let mut rgb = Vec::with_capacity(self.layout.pixels() * 3);
-            rgb.extend(canvas.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]));
-            Samples::Rgb(rgb)
-        } else {
-            Samples::Rgba(canvas.clone().take_demultiplied())
-        };
-        drop(canvas);
-        encode::write(samples, self.layout, *format, self.quality, sink.as_mut())
+        let Some((mut sink, format)) = self.output.take() else { return Ok(()) };
+        let written = self.write(sink.as_mut(), format);
+        self.output = Some((sink, format));
+        written
     }
 
     fn close(&mut self) -> Result<(), DeviceError> {

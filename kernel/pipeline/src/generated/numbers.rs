@@ -173,6 +173,9 @@ pub const NOMINAL_MARKER_SIZE: f64 = 0.006;
 /// The greatest number of active workstations.
 pub const MAX_ACTIVE_WORKSTATIONS: u32 = 32;
 
+/// The greatest number of choice alternatives.
+pub const MAX_CHOICE_ALTERNATIVES: u32 = 256;
+
 /// The greatest number of colours.
 pub const MAX_COLOURS: u32 = 65536;
 
@@ -194,11 +197,54 @@ pub const MAX_POLYLINE_BUNDLES: u32 = 1024;
 /// The greatest number of polymarker bundles.
 pub const MAX_POLYMARKER_BUNDLES: u32 = 1024;
 
+/// The greatest number of queued events.
+pub const MAX_QUEUED_EVENTS: u32 = 1024;
+
+/// The greatest number of string characters.
+pub const MAX_STRING_CHARACTERS: u32 = 1024;
+
+/// The greatest number of stroke points.
+pub const MAX_STROKE_POINTS: u32 = 4096;
+
 /// The greatest number of text bundles.
 pub const MAX_TEXT_BUNDLES: u32 = 1024;
 
 /// The greatest number of workstations of a segment.
 pub const MAX_WORKSTATIONS_OF_A_SEGMENT: u32 = 32;
+
+/// The locator position of input devices of a workstation just opened.
+pub const INPUT_LOCATOR_POSITION: f64 = 0.5;
+
+/// The pick aperture of input devices of a workstation just opened.
+pub const INPUT_PICK_APERTURE: f64 = 0.005;
+
+/// The stroke interval of input devices of a workstation just opened.
+pub const INPUT_STROKE_INTERVAL: f64 = 0.005;
+
+/// The valuator high of input devices of a workstation just opened.
+pub const INPUT_VALUATOR_HIGH: f64 = 1.0;
+
+/// The valuator low of input devices of a workstation just opened.
+pub const INPUT_VALUATOR_LOW: f64 = 0.0;
+
+/// The valuator value of input devices of a workstation just opened.
+pub const INPUT_VALUATOR_VALUE: f64 = 0.5;
+
+/// What the buffer of a string device of a workstation just opened holds.
+pub const INPUT_BUFFER_STRING: usize = 80;
+
+/// What the buffer of a stroke device of a workstation just opened holds.
+pub const INPUT_BUFFER_STROKE: usize = 512;
+
+/// The prompt and echo types of the input classes, in their order.
+pub static PROMPTS: &[&[i32]] = &[
+    &[1, 2, 3, 4, 5, 6],
+    &[1, 2, 3, 4],
+    &[1, 2, 3],
+    &[1, 2, 3, 4, 5],
+    &[1, 2, 3],
+    &[1],
+];
 
 /// The error number of the bindings for: level not built.
 pub const ERROR_LEVEL_NOT_BUILT: i32 = -3100;
@@ -237,6 +283,8 @@ pub mod workstation_type {
     pub const EPS: i32 = 221;
     /// Pen plotter, HP-GL.
     pub const HPGL: i32 = 300;
+    /// PNG image, if a file is named, with input from a script.
+    pub const SCRIPTED: i32 = 530;
     /// Accepts everything and draws nothing.
     pub const NULL: i32 = 900;
 }
@@ -259,6 +307,7 @@ pub static WORKSTATION_TYPES: &[WorkstationType] = &[
     WorkstationType { number: 220, name: "ps", extension: "ps", colours: 65536, meaning: "PostScript" },
     WorkstationType { number: 221, name: "eps", extension: "eps", colours: 65536, meaning: "encapsulated PostScript, one page" },
     WorkstationType { number: 300, name: "hpgl", extension: "plt", colours: 65536, meaning: "pen plotter, HP-GL" },
+    WorkstationType { number: 530, name: "scripted", extension: "png", colours: 65536, meaning: "PNG image, if a file is named, with input from a script" },
     WorkstationType { number: 900, name: "null", extension: "", colours: 65536, meaning: "accepts everything and draws nothing" },
 ];
 

@@ -1,0 +1,276 @@
+//! Data records of input devices, by prompt and echo type.
+//!
+//! The kernel takes a data record as integers, reals and strings; here are the structures of `gks.h` that hold
+//! them. Attributes that a prompt could be drawn with are passed on as the integers and the real that they are.
+#![allow(non_camel_case_types, reason = "the names of the binding")]
+
+use crate::argument::{In, array};
+use crate::types::{Gdata, Gfill_bundle, Gfloat, Gint, Gline_bundle};
+use gks::DataRecord;
+use std::ffi::{CStr, c_char};
+
+/// `Gline_attrs`, and `Gmarker_attrs`, which is laid out alike: aspect source flags and an index, then a bundle of a
+/// type, a size and a colour index.
+#[repr(C)]
+#[derive(Copy, Clone)]
+struct Line {
+    flags_and_index: [Gint; 4],
+    bundle: Gline_bundle,
+}
+
+/// `Gfill_attrs`.
+#[repr(C)]
+#[derive(Copy, Clone)]
+struct Fill {
+    flags_and_index: [Gint; 4],
+    bundle: Gfill_bundle,
+}
+
+#[repr(C)]
+#[derive(Copy, Clone)]
+union Attributes {
+    line: Line,
+    fill: Fill,
+}
+
+/// Attributes behind an attribute control flag.
+#[repr(C)]
+#[derive(Copy, Clone)]
+pub(crate) struct Controlled {
+    flag: Gint,
+    attributes: Attributes,
+}
+
+/// Attributes behind the flag that says whether they are those of lines or of areas.
+#[repr(C)]
+#[derive(Copy, Clone)]
+pub(crate) struct Chosen {
+    line_or_fill: Gint,
+    controlled: Controlled,
+}
+
+/// The value of the flag for attributes that are specified, and of that for areas.
+const SPECIFIED: Gint = 1;
+const FILL: Gint = 1;
+
+impl Controlled {
+    /// Adds the flag and the attributes, unless they are the current ones and need not be there.
+    fn read(&self, of_areas: bool, record: &mut DataRecord) {
+        record.integers.push(self.flag);
+        if self.flag != SPECIFIED {
+            return;
+        }
+        if of_areas {
+            // SAFETY: specified attributes of areas.
+            let Fill { flags_and_index, bundle } = unsafe { self.attributes.fill };
+            record.integers.extend(flags_and_index);
+            record.integers.extend([bundle.int_style, bundle.style_ind, bundle.colr_ind]);
+        } else {
+            // SAFETY: specified attributes of lines or markers.
+            let Line { flags_and_index, bundle } = unsafe { self.attributes.line };
+            record.integers.extend(flags_and_index);
+            record.integers.extend([bundle.r#type, bundle.colr_ind]);
+            record.reals.push(bundle.width);
+        }
+    }
+
+    fn write(of_areas: bool, integers: &[Gint], reals: &[f64]) -> Controlled {
+        let at = |i: usize| integers.get(i).copied().unwrap_or(0);
+        let flags_and_index = [at(1), at(2), at(3), at(4)];
+        let attributes = if of_areas {
+            let bundle = Gfill_bundle { int_style: at(5), style_ind: at(6), colr_ind: at(7) };
+            Attributes { fill: Fill { flags_and_index, bundle } }
+        } else {
+            let width = reals.first().copied().unwrap_or(0.0);
+            let bundle = Gline_bundle { r#type: at(5), width, colr_ind: at(6) };
+            Attributes { line: Line { flags_and_index, bundle } }
+        };
+        Controlled { flag: at(0), attributes }
+    }
+}
+
+/// The union in `Gloc_data`.
+#[repr(C)]
+#[derive(Copy, Clone)]
+pub(crate) union Gloc_data {
+    none: Gdata,
+    pet_r4: Controlled,
+    pet_r5: Chosen,
+}
+
+/// `Gstroke_data`.
+#[repr(C)]
+#[derive(Copy, Clone)]
+pub(crate) struct Gstroke_data {
+    init_pos: Gint,
+    x_interval: Gfloat,
+    y_interval: Gfloat,
+    time_interval: Gfloat,
+    pets: Stroke,
+}
+
+#[repr(C)]
+#[derive(Copy, Clone)]
+union Stroke {
+    none: Gdata,
+    /// Of `pet_r3` and `pet_r4`.
+    controlled: Controlled,
+}
+
+/// A number of strings.
+#[repr(C)]
+#[derive(Copy, Clone)]
+pub(crate) struct Strings {
+    count: Gint,
+    strings: *mut *mut c_char,
+}
+
+/// A number of prompt switches.
+#[repr(C)]
+#[derive(Copy, Clone)]
+pub(crate) struct Prompts {
+    count: Gint,
+    prompts: *mut Gint,
+}
+
+/// The pick identifiers of a segment.
+#[repr(C)]
+#[derive(Copy, Clone)]
+pub(crate) struct Identifiers {
+    segment: Gint,
+    count: Gint,
+    identifiers: *mut Gint,
+}
+
+/// The union in `Gchoice_data`.
+#[repr(C)]
+#[derive(Copy, Clone)]
+pub(crate) union Gchoice_data {
+    none: Gdata,
+    pet_r2: Prompts,
+    /// Also `pet_r4`.
+    pet_r3: Strings,
+    pet_r5: Identifiers,
+}
+
+/// `Gval_data`, `Gpick_data` and `Gstring_data`, which hold nothing that means anything.
+pub(crate) type Nothing = Gdata;
+
+/// No data.
+pub(crate) const NONE: Gdata = Gdata { size: 0, data: std::ptr::null_mut() };
+
+/// The data record of a locator; empty at a null pointer.
+pub(crate) fn locator(pet: Gint, data: In<Gloc_data>) -> DataRecord {
+    let mut record = DataRecord::default();
+    if let Some(data) = data.get() {
+        match pet {
+            // SAFETY: the member of the prompt and echo type, as the contract of the crate asks.
+            4 => unsafe { data.pet_r4 }.read(false, &mut record),
+            5 => {
+                // SAFETY: the same.
+                let chosen = unsafe { data.pet_r5 };
+                record.integers.push(chosen.line_or_fill);
+                chosen.controlled.read(chosen.line_or_fill == FILL, &mut record);
+            }
+            _ => {}
+        }
+    }
+    record
+}
+
+/// The data of a record of a locator.
+pub(crate) fn of_locator(pet: Gint, record: &DataRecord) -> Gloc_data {
+    match (pet, record.integers.as_slice()) {
+        (4, integers) => Gloc_data { pet_r4: Controlled::write(false, integers, &record.reals) },
+        (5, [line_or_fill, rest @ ..]) => Gloc_data {
+            pet_r5: Chosen {
+                line_or_fill: *line_or_fill,
+                controlled: Controlled::write(*line_or_fill == FILL, rest, &record.reals),
+            },
+        },
+        _ => Gloc_data { none: NONE },
+    }
+}
+
+/// The data record of a stroke device; empty at a null pointer.
+pub(crate) fn stroke(pet: Gint, data: In<Gstroke_data>) -> DataRecord {
+    let mut record = DataRecord::default();
+    if let Some(data) = data.get() {
+        record.integers.push(data.init_pos);
+        record.reals.extend([data.x_interval, data.y_interval, data.time_interval].map(f64::from));
+        if matches!(pet, 3 | 4) {
+            // SAFETY: the member of the prompt and echo type, as the contract of the crate asks.
+            unsafe { data.pets.controlled }.read(false, &mut record);
+        }
+    }
+    record
+}
+
+/// The data of a record of a stroke device.
+pub(crate) fn of_stroke(pet: Gint, record: &DataRecord) -> Gstroke_data {
+    let real = |i: usize| record.reals.get(i).map_or(0.0, |&real| real as Gfloat);
+    let pets = match (pet, record.integers.get(1..), record.reals.get(3..)) {
+        (3 | 4, Some(integers), Some(reals)) => {
+            Stroke { controlled: Controlled::write(false, integers, reals) }
+        }
+        _ => Stroke { none: NONE },
+    };
+    Gstroke_data {
+        init_pos: record.integers.first().copied().unwrap_or(1),
+        x_interval: real(0),
+        y_interval: real(1),
+        time_interval: real(2),
+        pets,
+    }
+}
+
+/// The data record of a choice device; empty at a null pointer.
+pub(crate) fn choice(pet: Gint, data: In<Gchoice_data>) -> DataRecord {
+    let mut record = DataRecord::default();
+    let Some(data) = data.get() else { return record };
+    match pet {
+        2 => {
+            // SAFETY: the member of the prompt and echo type, as the contract of the crate asks.
+            let Prompts { count, prompts } = unsafe { data.pet_r2 };
+            record.integers.extend_from_slice(array(prompts, count));
+        }
+        3 | 4 => {
+            // SAFETY: the same.
+            let Strings { count, strings } = unsafe { data.pet_r3 };
+            let texts = array(strings, count).iter().filter(|string| !string.is_null());
+            // SAFETY: strings end with a zero byte, as the contract of the crate asks.
+            let texts = texts.map(|&string| unsafe { CStr::from_ptr(string) }.to_bytes());
+            record.strings.extend(texts.map(|text| gks_instance::from_utf8_or_latin1(text).into_owned()));
+        }
+        5 => {
+            // SAFETY: the same.
+            let Identifiers { segment, count, identifiers } = unsafe { data.pet_r5 };
+            record.integers.push(segment);
+            record.integers.extend_from_slice(array(identifiers, count));
+        }
+        _ => {}
+    }
+    record
+}
+
+/// The data of a record of a choice device, which lie in memory that lives as long as they are used: the
+/// integers of the record, and the addresses of its strings.
+pub(crate) fn of_choice(pet: Gint, integers: &mut [Gint], strings: &mut [*mut c_char]) -> Gchoice_data {
+    let count = |length: usize| Gint::try_from(length).unwrap_or(Gint::MAX);
+    match (pet, integers) {
+        (2, prompts) => {
+            Gchoice_data { pet_r2: Prompts { count: count(prompts.len()), prompts: prompts.as_mut_ptr() } }
+        }
+        (3 | 4, _) => {
+            Gchoice_data { pet_r3: Strings { count: count(strings.len()), strings: strings.as_mut_ptr() } }
+        }
+        (5, [segment, identifiers @ ..]) => Gchoice_data {
+            pet_r5: Identifiers {
+                segment: *segment,
+                count: count(identifiers.len()),
+                identifiers: identifiers.as_mut_ptr(),
+            },
+        },
+        _ => Gchoice_data { none: NONE },
+    }
+}
