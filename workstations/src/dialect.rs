@@ -71,8 +71,13 @@ const NCAR: &[Foreign] = &[
     output(42, 42, own::PDF),
 ];
 
-/// XGKS: windows; its other types have names instead of numbers.
-const XGKS: &[Foreign] = &[foreign(2, 2, Category::OutIn, Meaning::Chosen)];
+/// XGKS, by the numbers that Ferret (2) and XGKS's own demonstration (3, 4) use in Fortran: windows and segment
+/// storage; in C its types have names instead of numbers.
+const XGKS: &[Foreign] = &[
+    foreign(2, 2, Category::OutIn, Meaning::Chosen),
+    foreign(3, 3, Category::Wiss, Meaning::Own(own::WISS, "")),
+    foreign(4, 4, Category::OutIn, Meaning::Chosen),
+];
 
 /// GR 0.73: 2, 7 and 8 are metafiles; 41, 51, 210 to 213 and from 371 on windows and viewers.
 const GR: &[Foreign] = &[
