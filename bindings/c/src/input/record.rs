@@ -46,7 +46,8 @@ pub(crate) struct Controlled {
 #[derive(Copy, Clone)]
 pub(crate) struct Chosen {
     line_or_fill: Gint,
-    controlled: Controlled,
+    flag: Gint,
+    attributes: Attributes,
 }
 
 /// The value of the flag for attributes that are specified, and of that for areas.
@@ -170,7 +171,8 @@ pub(crate) fn locator(pet: Gint, data: In<Gloc_data>) -> DataRecord {
                 // SAFETY: the same.
                 let chosen = unsafe { data.pet_r5 };
                 record.integers.push(chosen.line_or_fill);
-                chosen.controlled.read(chosen.line_or_fill == FILL, &mut record);
+                let controlled = Controlled { flag: chosen.flag, attributes: chosen.attributes };
+                controlled.read(chosen.line_or_fill == FILL, &mut record);
             }
             _ => {}
         }
@@ -182,12 +184,11 @@ pub(crate) fn locator(pet: Gint, data: In<Gloc_data>) -> DataRecord {
 pub(crate) fn of_locator(pet: Gint, record: &DataRecord) -> Gloc_data {
     match (pet, record.integers.as_slice()) {
         (4, integers) => Gloc_data { pet_r4: Controlled::write(false, integers, &record.reals) },
-        (5, [line_or_fill, rest @ ..]) => Gloc_data {
-            pet_r5: Chosen {
-                line_or_fill: *line_or_fill,
-                controlled: Controlled::write(*line_or_fill == FILL, rest, &record.reals),
-            },
-        },
+        (5, [line_or_fill, rest @ ..]) => {
+            let Controlled { flag, attributes } =
+                Controlled::write(*line_or_fill == FILL, rest, &record.reals);
+            Gloc_data { pet_r5: Chosen { line_or_fill: *line_or_fill, flag, attributes } }
+        }
         _ => Gloc_data { none: NONE },
     }
 }
