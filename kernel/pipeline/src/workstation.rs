@@ -246,6 +246,7 @@ impl Workstation {
             tables,
             map: transformation.then(map),
             clip_map: *map,
+            glow: false,
             window: current.window,
         };
         painter.paint(item, &mut canvas)

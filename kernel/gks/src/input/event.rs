@@ -22,7 +22,7 @@ impl Gks {
         const F: Function = Function::AwaitEvent;
         self.check_state(F)?;
         self.check_overflow(F)?;
-        if !(timeout >= 0.0) {
+        if timeout.is_nan() || timeout < 0.0 {
             return Err(Error::new(151, F).because(format!("{timeout} seconds")));
         }
         if self.events.begin_again_if_empty() {
