@@ -131,7 +131,7 @@ extern "C" fn ginq_val_st(
         let (low, high) = limits(&state.detail);
         low_value.set(low);
         high_value.set(high);
-        val_data.set(store::device(F, store, |kept| kept.nothing())?);
+        val_data.set(store::device(F, store, store::Device::nothing)?);
         Ok(())
     });
 }
@@ -185,7 +185,7 @@ extern "C" fn ginq_pick_st(
         let state = gks.inquire_pick_device_state(ws_id, pick_num, of(F, inq_type)?)?;
         set_common((op_mode, echo_switch, pet, echo_area), &state);
         super::set_pick(state.initial, init_status, init_pick);
-        pick_data.set(store::device(F, store, |kept| kept.nothing())?);
+        pick_data.set(store::device(F, store, store::Device::nothing)?);
         Ok(())
     });
 }

@@ -70,7 +70,7 @@ inquiries! {
     gqsim_() -> (flag: Integer) InquireMoreSimultaneousEvents
         => |gks| gks.inquire_more_simultaneous_events();
     gqiqov_() -> (wkid: Integer, icl: Integer, idn: Integer) InquireInputQueueOverflow
-        => |gks| gks.inquire_input_queue_overflow();
+        => gks::Gks::inquire_input_queue_overflow;
     gqpkid_() -> (pkid: Integer) InquireCurrentPickIdentifierValue
         => |gks| gks.inquire_current_pick_identifier_value();
 }
