@@ -4,6 +4,7 @@
 use gks_pipeline::description::{Catalogue, Category, Description, OpenError};
 use gks_pipeline::device::{Device, DeviceError, Drawn, FrameBuffer, Mark, Page, Surface};
 use gks_pipeline::input::{Input, LogicalDevice, Measure, Report, Setting};
+use gks_pipeline::record::{Record, Source, SourceError};
 use gks_pipeline::workstation::Backend;
 use gks_workstations::catalogue::Drivers;
 use gks_workstations::environment::Environment;
@@ -92,17 +93,34 @@ impl Catalogue for Recording {
     fn open(&mut self, number: i32, connection: &str) -> Result<(Backend, Description), OpenError> {
         self.log.push(format!("open {number} \"{connection}\""));
         let (device, description) = self.drivers.open(base(number), connection)?;
+        let description = changed(number, description);
+        if description.category == Category::MetafileInput {
+            return Ok((Backend::Source(Box::new(Senseless { given: false })), description));
+        }
         let Backend::Device(device) = device else {
-            return Ok((device, changed(number, description)));
+            return Ok((device, description));
         };
         if number == CATEGORIES + Category::Wiss as i32 {
-            return Ok((Backend::Storage, changed(number, description)));
+            return Ok((Backend::Storage, description));
         }
         let operator =
-            matches!(changed(number, description.clone()).category, Category::OutIn | Category::Input)
-                .then(Operator::default);
+            matches!(description.category, Category::OutIn | Category::Input).then(Operator::default);
         let recorded = Recorded { device, fault: number, log: self.log.clone(), operator };
-        Ok((Backend::Device(Box::new(recorded)), changed(number, description)))
+        Ok((Backend::Device(Box::new(recorded)), description))
+    }
+}
+
+/// A metafile with one item, which makes no sense.
+struct Senseless {
+    given: bool,
+}
+
+impl Source for Senseless {
+    fn next(&mut self) -> Result<Option<Record<'_>>, SourceError> {
+        if std::mem::replace(&mut self.given, true) {
+            return Ok(None);
+        }
+        Err(SourceError::Malformed { offset: 90, what: "there is no such item".to_owned() })
     }
 }
 

@@ -196,10 +196,6 @@ pub(crate) static PROVOCATIONS: &[Provocation] = &[
     meets(308, AccumulateTransformationMatrix, |g, _| {
         g.accumulate_transformation_matrix(HUGE, (0.0, 0.0), (0.0, 0.0), PI, (9.0, 9.0), Ndc).map(drop)
     }),
-    // Metafiles.
-    meets(164, InterpretItem, |g, _| g.interpret_item(-1, b"")),
-    meets(167, InterpretItem, |g, _| g.interpret_item(101, b"")),
-    meets(168, InterpretItem, |g, _| g.interpret_item(3, b"")),
     // Inquiries.
     meets(50, InquireNormalizationTransformation, |g, _| {
         g.inquire_normalization_transformation(-1).map(drop)

@@ -60,6 +60,11 @@ fn attributes_are_inquired_as_they_are_set() {
 }
 
 #[test]
+fn a_metafile_is_written_read_and_interpreted() {
+    passes("metafile", Linking::Shared);
+}
+
+#[test]
 fn primitives_leave_pixels() {
     passes("output", Linking::Shared);
 }

@@ -8,6 +8,8 @@ mod catalogue;
 mod generated;
 #[path = "../conformance/input.rs"]
 mod input;
+#[path = "../conformance/metafile.rs"]
+mod metafile;
 #[path = "../conformance/provocations.rs"]
 mod provocations;
 #[path = "../conformance/segment.rs"]
@@ -32,7 +34,9 @@ use std::collections::BTreeSet;
 
 /// All provocations.
 fn provocations() -> impl Iterator<Item = &'static Provocation> {
-    [provocations::PROVOCATIONS, segment::PROVOCATIONS, input::PROVOCATIONS].into_iter().flatten()
+    let all =
+        [provocations::PROVOCATIONS, segment::PROVOCATIONS, input::PROVOCATIONS, metafile::PROVOCATIONS];
+    all.into_iter().flatten()
 }
 
 /// A function with a valid call.

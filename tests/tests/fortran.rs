@@ -145,6 +145,14 @@ fn utilities_of_ncar_graphics_find_what_they_expect() {
     assert!(names.values().all(|&length| length > 100), "{names:?}");
 }
 
+#[test]
+fn a_metafile_is_written_read_and_interpreted() {
+    let Some(folder) = passes(&["metaf"], Linking::Shared, &[]) else { return };
+    let file = |name: &str| fs::read(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    assert!(file("gks.7.gksm").starts_with(b"GKSM"));
+    assert!(file("gks.8.png") == file("gks.9.png"), "the pictures differ");
+}
+
 /// Every subroutine of the table is a symbol of the shared library.
 #[test]
 fn every_name_of_the_standard_is_there() {

@@ -15,7 +15,7 @@ use crate::connection::{self, Target};
 use crate::dialect::{Dialect, Meaning};
 use crate::environment::Environment;
 use crate::options::{OptionError, Options, split_connection};
-use crate::{drivers, sink};
+use crate::{drivers, metafile, sink};
 use gks_pipeline::description::{Catalogue, Category, Description, OpenError};
 use gks_pipeline::generated::numbers::{WORKSTATION_TYPES, WorkstationType, workstation_type as own};
 use gks_pipeline::workstation::Backend;
@@ -50,7 +50,13 @@ impl Selection {
     /// The description under the number that the program knows.
     fn describe(&self, number: i32, options: &Options) -> Result<Description, String> {
         let description = drivers::describe(self.kind, options)?;
-        Ok(Description { number, category: self.category.unwrap_or(description.category), ..description })
+        let category = match (self.category, description.category) {
+            (Some(category), _) => category,
+            // A program that leaves the type open draws, whatever becomes of it.
+            (None, Category::MetafileOutput) if number == own::DEFAULT => Category::Output,
+            (None, category) => category,
+        };
+        Ok(Description { number, category, ..description })
     }
 }
 
@@ -94,7 +100,6 @@ impl Drivers {
         match foreign.map(|foreign| foreign.meaning) {
             Some(Meaning::Own(number, preset)) => wish(by_number(number).unwrap_or(default()), preset, None),
             Some(Meaning::Chosen) => wish(default(), "", None),
-            Some(Meaning::Missing) => Err(no_such_name(text)),
             None => match by_text(base) {
                 Some((kind, is_file)) if kind.number != own::WISS => wish(kind, "", is_file.then_some(base)),
                 _ => Err(no_such_name(text)),
@@ -114,14 +119,15 @@ impl Drivers {
             None => return None,
         };
         let forced = dialect != Dialect::Iso || self.environment.force;
+        // Nothing that draws can stand in for what is stored or read.
+        let fixed = |number: i32| matches!(number, own::WISS | own::MI);
         let (kind, preset) = match meaning {
-            Meaning::Missing => return None,
-            Meaning::Own(number, preset) if !forced || wish.is_none() || number == own::WISS => {
+            Meaning::Own(number, preset) if !forced || wish.is_none() || fixed(number) => {
                 (by_number(number)?, preset)
             }
             _ => wish.as_ref().map_or((default(), ""), |wish| (wish.kind, wish.preset)),
         };
-        let chosen = kind.number != own::WISS && (forced || meaning == Meaning::Chosen);
+        let chosen = !fixed(kind.number) && (forced || meaning == Meaning::Chosen);
         let wish = wish.filter(|_| chosen);
         Some(Selection {
             kind,
@@ -219,24 +225,30 @@ impl Catalogue for Drivers {
         let (selection, target, options) = self.resolve(number, connection)?;
         let refused = |message| OpenError::Connection(connection.to_owned(), message);
         let description = selection.describe(number, &options).map_err(refused)?;
-        if selection.kind.number == own::WISS {
-            return Ok((Backend::Storage, description));
+        match selection.kind.number {
+            own::WISS => return Ok((Backend::Storage, description)),
+            own::MI => {
+                let (name, _) = split_connection(connection);
+                let source = metafile::open(name, &options).map_err(OpenError::CannotOpen)?;
+                return Ok((Backend::Source(source), description));
+            }
+            _ => {}
         }
         // What is there for its input writes a picture only where somebody has asked for one.
         let unasked =
             target.invented && selection.kind.number == own::SCRIPTED && !self.names_file(&selection);
         if selection.kind.extension.is_empty() || unasked {
-            let device = drivers::open(selection.kind, &options, None).map_err(refused)?;
-            return Ok((Backend::Device(device), description));
+            let backend = drivers::open(selection.kind, &options, None).map_err(refused)?;
+            return Ok((backend, description));
         }
         let invented = target.invented && (selection.redirected || self.environment.conid.is_some());
         let name = if invented { target.unused(&self.used) } else { target.name };
         let sink = connection::open(&name).map_err(|error| OpenError::CannotOpen(error.to_string()))?;
-        let device = drivers::open(selection.kind, &options, Some(sink)).map_err(refused)?;
+        let backend = drivers::open(selection.kind, &options, Some(sink)).map_err(refused)?;
         if invented {
             self.used.push(name);
         }
-        Ok((Backend::Device(device), description))
+        Ok((backend, description))
     }
 }
 

@@ -24,8 +24,6 @@ pub(crate) enum Meaning {
     Chosen,
     /// A type of our own, with options.
     Own(i32, &'static str),
-    /// Nothing yet: metafile input.
-    Missing,
 }
 
 /// A range of numbers of a dialect with one meaning.
@@ -82,7 +80,7 @@ const XGKS: &[Foreign] = &[
 /// GR 0.73: 2, 7 and 8 are metafiles; 41, 51, 210 to 213 and from 371 on windows and viewers.
 const GR: &[Foreign] = &[
     foreign(2, 2, Category::MetafileOutput, Meaning::Chosen),
-    foreign(3, 3, Category::MetafileInput, Meaning::Missing),
+    foreign(3, 3, Category::MetafileInput, Meaning::Own(own::MI, "")),
     foreign(5, 5, Category::Wiss, Meaning::Own(own::WISS, "")),
     foreign(7, 8, Category::MetafileOutput, Meaning::Chosen),
     foreign(41, 41, Category::OutIn, Meaning::Chosen),

@@ -2,6 +2,7 @@
 
 use crate::connection;
 use crate::hpgl::{self, Hpgl};
+use crate::metafile;
 use crate::null::Null;
 use crate::options::{Options, SizeLimits};
 use crate::pdf::{self, Pdf};
@@ -9,9 +10,20 @@ use crate::postscript::{self, PostScript};
 use crate::raster::{self, Format, Indexed, SizeError, TrueColour};
 use crate::scripted::{self, Scripted};
 use crate::svg::{self, Svg};
+use gks_metafile::gksm;
 use gks_pipeline::description::{Category, Description};
 use gks_pipeline::device::{Device, Sink};
 use gks_pipeline::generated::numbers::{WorkstationType, workstation_type as own};
+use gks_pipeline::workstation::Backend;
+
+/// What the workstations of a type are for.
+pub(crate) fn category(kind: &WorkstationType) -> Category {
+    match kind.number {
+        own::GKSM => Category::MetafileOutput,
+        own::MI => Category::MetafileInput,
+        _ => Category::Output,
+    }
+}
 
 /// What sizes of display surfaces a type accepts, and in which unit.
 pub(crate) fn limits(kind: &WorkstationType) -> &'static SizeLimits {
@@ -41,12 +53,29 @@ pub(crate) fn describe(kind: &WorkstationType, options: &Options) -> Result<Desc
             let storage = raster::true_colour(number, name, &Options::default());
             storage.map(|d| Description { category: Category::Wiss, ..d }).map_err(|error| error.to_string())
         }
+        own::GKSM | own::MI => {
+            metafile::describe(number, name, category(kind), options).map_err(|error| error.to_string())
+        }
         _ => Err(unavailable(kind)),
     }
 }
 
-/// A device of a type; `sink` is present for the types that write files.
+/// What is behind a workstation of a type; `sink` is present for the types that write files.
 pub(crate) fn open(
+    kind: &WorkstationType,
+    options: &Options,
+    sink: Option<Box<dyn Sink>>,
+) -> Result<Backend, String> {
+    match (kind.number, sink) {
+        (own::GKSM, Some(sink)) => {
+            let writer = gksm::Writer::new(sink, options.coding.unwrap_or_default());
+            Ok(Backend::Recorder(Box::new(writer)))
+        }
+        (_, sink) => device(kind, options, sink).map(Backend::Device),
+    }
+}
+
+fn device(
     kind: &WorkstationType,
     options: &Options,
     sink: Option<Box<dyn Sink>>,

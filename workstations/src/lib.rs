@@ -12,6 +12,7 @@ pub mod dialect;
 mod drivers;
 pub mod environment;
 pub mod hpgl;
+mod metafile;
 pub mod null;
 pub mod number;
 pub mod options;

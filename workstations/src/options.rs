@@ -3,7 +3,9 @@
 //! Options are written as a list of `name=value` after a connection identifier, `out.png?size=1600x1200&dpi=300`,
 //! or in the environment. `&` or `,` separates them.
 
+use gks_metafile::gksm::Coding;
 use gks_pipeline::colour::Colour;
+use gks_pipeline::record::item::Convention;
 
 /// The choices, each absent where the user leaves it to the driver.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,6 +29,10 @@ pub struct Options {
     pub script: Option<String>,
     /// Quality of lossy formats from 1 to 100.
     pub quality: Option<u8>,
+    /// How numbers are coded in a metafile of GKS that is written.
+    pub coding: Option<Coding>,
+    /// How items that authors code differently are read in a metafile of GKS, whatever its header says.
+    pub items: Option<Convention>,
 }
 
 /// Why an option is refused.
@@ -50,7 +56,7 @@ pub enum OptionError {
     },
 }
 
-const NAMES: &str = "size, dpi, landscape, background, antialias, outlines, quality, script";
+const NAMES: &str = "size, dpi, landscape, background, antialias, outlines, quality, script, coding, items";
 
 /// The sizes of display surfaces that a kind of device accepts.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -111,6 +117,20 @@ impl Options {
                 let quality: Option<u8> = value.parse().ok().filter(|q| (1..=100).contains(q));
                 self.quality =
                     Some(quality.ok_or_else(|| refused("quality", value, "a whole number from 1 to 100"))?);
+            }
+            "coding" => {
+                self.coding = Some(match value {
+                    "binary" => Coding::Binary,
+                    "formatted" => Coding::Formatted,
+                    _ => return Err(refused("coding", value, "binary or formatted")),
+                });
+            }
+            "items" => {
+                self.items = Some(match value {
+                    "ral" => Convention::Ral,
+                    "xgks" => Convention::Xgks,
+                    _ => return Err(refused("items", value, "ral or xgks")),
+                });
             }
             _ => return Err(OptionError::Unknown(name.to_owned())),
         }
@@ -201,7 +221,8 @@ mod tests {
 
     #[test]
     fn all_options_are_read() {
-        let list = "size=1600x1200&dpi=300&landscape=1&background=#ff8000&antialias=0&outlines=1&quality=90&script=in/a.script";
+        let list = "size=1600x1200&dpi=300&landscape=1&background=#ff8000&antialias=0&outlines=1&quality=90&\
+                    script=in/a.script&coding=formatted&items=xgks";
         let expected = Options {
             size: Some((1600.0, 1200.0)),
             dpi: Some(300.0),
@@ -212,6 +233,8 @@ mod tests {
             outlines: true,
             script: Some("in/a.script".to_owned()),
             quality: Some(90),
+            coding: Some(Coding::Formatted),
+            items: Some(Convention::Xgks),
         };
         assert_eq!(parse(list), Ok(expected.clone()));
         assert_eq!(parse(&list.replace('&', " , ")), Ok(expected));
@@ -245,13 +268,15 @@ mod tests {
         assert_eq!(
             message("colour=red"),
             "there is no option \"colour\"; the options are size, dpi, landscape, background, antialias, \
-             outlines, quality"
+             outlines, quality, script, coding, items"
         );
         assert_eq!(message("dpi"), "option \"dpi\" has no value; write dpi=value");
         assert_eq!(message("dpi=0.5"), "option dpi=0.5: expected a number from 1 to 10000");
         assert_eq!(message("dpi=NaN"), "option dpi=NaN: expected a number from 1 to 10000");
         assert_eq!(message("landscape=maybe"), "option landscape=maybe: expected 1 or 0");
         assert_eq!(message("quality=101"), "option quality=101: expected a whole number from 1 to 100");
+        assert_eq!(message("coding=text"), "option coding=text: expected binary or formatted");
+        assert_eq!(message("items=gks"), "option items=gks: expected ral or xgks");
         assert_eq!(message("quality=0"), "option quality=0: expected a whole number from 1 to 100");
         let sides = "expected WIDTHxHEIGHT in pixels, each from 1 to 32767";
         for wrong in ["100", "100x", "x", "0x10", "1e9x10", "infxinf", "NaNx1", "-5x5", "5x5x5"] {

@@ -4,22 +4,18 @@ use crate::argument::{In, Out, array, call, integer};
 use crate::types::{Gint, Gitem_data};
 use gks::Function;
 
-/// The last item type that is GKS's own.
-const LAST_OF_GKS: Gint = 100;
-
-/// The bytes of an application's own item, at most `length`; none of other items.
-fn bytes<'a>(item: In<Gitem_data>, kind: Gint, length: Gint) -> &'a [u8] {
-    match item.get() {
-        Some(item) if kind > LAST_OF_GKS => array(item.data.data.cast(), length.min(integer(item.data.size))),
-        _ => &[],
-    }
+/// The bytes that an item has.
+fn bytes<'a>(item: In<Gitem_data>) -> &'a [u8] {
+    item.get().map_or(&[], |item| array(item.data.data.cast(), integer(item.data.size)))
 }
 
 /// WRITE ITEM TO GKSM.
 #[unsafe(no_mangle)]
 extern "C" fn gwrite_item(ws_id: Gint, item_type: Gint, item_data_length: Gint, item_data: In<Gitem_data>) {
-    let data = bytes(item_data, item_type, item_data_length);
-    call(Function::WriteItemToGksm, |gks| gks.write_item_to_gksm(ws_id, item_type, data));
+    let data = bytes(item_data);
+    call(Function::WriteItemToGksm, |gks| {
+        gks.write_item_to_gksm_of(ws_id, item_type, item_data_length, data)
+    });
 }
 
 /// GET ITEM TYPE FROM GKSM.
@@ -41,8 +37,7 @@ extern "C" fn gread_item(ws_id: Gint, max_item_data_length: Gint, item_data: Out
         (item_data.member(|item| &raw mut (*item).length), item_data.member(|item| &raw mut (*item).data))
     };
     call(Function::ReadItemFromGksm, |gks| {
-        let most = usize::try_from(max_item_data_length).unwrap_or(0);
-        let bytes = gks.read_item_from_gksm(ws_id, most)?;
+        let bytes = gks.read_item_from_gksm(ws_id, max_item_data_length)?;
         length.set(integer(bytes.len()));
         // SAFETY: as above.
         let (room, to) =
@@ -56,6 +51,6 @@ extern "C" fn gread_item(ws_id: Gint, max_item_data_length: Gint, item_data: Out
 /// INTERPRET ITEM.
 #[unsafe(no_mangle)]
 extern "C" fn ginterpret_item(r#type: Gint, item_data_length: Gint, item_data: In<Gitem_data>) {
-    let data = bytes(item_data, r#type, item_data_length);
-    call(Function::InterpretItem, |gks| gks.interpret_item(r#type, data));
+    let data = bytes(item_data);
+    call(Function::InterpretItem, |gks| gks.interpret_item_of(r#type, item_data_length, data));
 }

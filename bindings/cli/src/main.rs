@@ -1,7 +1,9 @@
 //! The command `gks`.
 
-use clap::{Parser, Subcommand};
-use gks_cli::commands::{Failure, compile, coverage, demo, doctor, run, workstations};
+use clap::{Parser, Subcommand, ValueEnum};
+use gks_cli::commands::{Failure, compile, coverage, demo, doctor, info, play, run, workstations};
+use gks_metafile::ReadOptions;
+use gks_pipeline::record::item::Convention;
 use gks_workstations::dialect::Dialect;
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -25,6 +27,31 @@ enum Command {
         /// The folder for the pictures; made if it is not there.
         #[arg(long, default_value = "out")]
         out: PathBuf,
+    },
+    /// Draw a metafile on a device.
+    Play {
+        /// The metafile; `-` is the standard input.
+        file: String,
+        /// The workstation type: its name, its number or an extension.
+        #[arg(long)]
+        on: Option<String>,
+        /// The file to write.
+        #[arg(short, long)]
+        output: Option<String>,
+        /// The pages to draw: 3, 2-5, 2- or -5.
+        #[arg(long, default_value = "1-")]
+        pages: play::Pages,
+        /// Whose coding of UPDATE and VISIBILITY a metafile of GKS has, if its header does not tell.
+        #[arg(long, value_enum)]
+        items: Option<Items>,
+    },
+    /// Show what is in a metafile.
+    Info {
+        /// The metafile; `-` is the standard input.
+        file: String,
+        /// As JSON.
+        #[arg(long)]
+        json: bool,
     },
     /// List the workstation types of this installation.
     Workstations {
@@ -72,9 +99,32 @@ enum Command {
     },
 }
 
+/// Authors of metafiles who code items differently.
+#[derive(Copy, Clone, ValueEnum)]
+enum Items {
+    /// RAL GKS.
+    Ral,
+    /// XGKS.
+    Xgks,
+}
+
+impl Items {
+    fn convention(self) -> Convention {
+        match self {
+            Items::Ral => Convention::Ral,
+            Items::Xgks => Convention::Xgks,
+        }
+    }
+}
+
 fn main() -> ExitCode {
     let result: Result<ExitCode, Failure> = match Arguments::parse().command {
         Command::Demo { on, out } => demo::run(&on, &out),
+        Command::Play { file, on, output, pages, items } => {
+            let options = ReadOptions { items: items.map(Items::convention) };
+            play::run(&play::Play { file, on, out: output, pages, options })
+        }
+        Command::Info { file, json } => info::run(&file, json),
         Command::Workstations { json } => workstations::run(json),
         Command::Spec { json } => coverage::run(json),
         Command::Cc { arguments } => compile::run(compile::Language::C, &arguments),

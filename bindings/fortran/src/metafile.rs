@@ -7,15 +7,16 @@ use gks::Function;
 
 subroutines! {
     gwitm_(wkid: Integer, type_: Integer, idrl: Integer, ldr: Integer, datrec: Character, _length: usize)
-        WriteItemToGksm => |gks| gks.write_item_to_gksm(wkid.get(), type_.get(), data(idrl, ldr, datrec));
+        WriteItemToGksm => |gks| {
+            gks.write_item_to_gksm_of(wkid.get(), type_.get(), idrl.get(), data(ldr, datrec))
+        };
     giitm_(type_: Integer, idrl: Integer, ldr: Integer, datrec: Character, _length: usize)
-        InterpretItem => |gks| gks.interpret_item(type_.get(), data(idrl, ldr, datrec));
+        InterpretItem => |gks| gks.interpret_item_of(type_.get(), idrl.get(), data(ldr, datrec));
 }
 
-/// The first `idrl` bytes of a data record.
-fn data<'a>(idrl: Integer, ldr: Integer, datrec: Character) -> &'a [u8] {
-    let bytes = lines(ldr, datrec).as_flattened();
-    &bytes[..bytes.len().min(idrl.count())]
+/// The bytes of a data record.
+fn data<'a>(ldr: Integer, datrec: Character) -> &'a [u8] {
+    lines(ldr, datrec).as_flattened()
 }
 
 /// GGTITM: GET ITEM TYPE FROM GKSM.
@@ -32,7 +33,7 @@ extern "C" fn ggtitm_(wkid: Integer, type_: Integer, idrl: Integer) {
 extern "C" fn grditm_(wkid: Integer, midrl: Integer, mldr: Integer, datrec: Character, _length: usize) {
     const F: Function = Function::ReadItemFromGksm;
     let room = mldr.count().saturating_mul(LINE);
-    let item = call(F, |gks| gks.read_item_from_gksm(wkid.get(), midrl.count().min(room)));
+    let item = call(F, |gks| gks.read_item_from_gksm(wkid.get(), midrl.get()));
     if let Some(data) = item {
         datrec.set_text(room, &data);
     }

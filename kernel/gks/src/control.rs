@@ -2,9 +2,11 @@
 
 use crate::gks::{OpenWorkstation, device_error};
 use crate::input::Devices;
+use crate::metafile::Items;
 use crate::{Defaults, Error, Function, Gks, OperatingState, Result};
 use gks_pipeline::description::{Category, DeferralMode, OpenError, RegenerationMode};
 use gks_pipeline::generated::numbers;
+use gks_pipeline::record::Record;
 use gks_pipeline::tables::Tables;
 use gks_pipeline::workstation::Workstation;
 
@@ -68,7 +70,9 @@ impl Gks {
         let input = Devices::new(&description);
         let workstation = Workstation::new(device, description, tables);
         let connection = connection.to_owned();
-        self.workstations.insert(id, OpenWorkstation { workstation, connection, kind, active: false, input });
+        let items = Items::default();
+        let open = OpenWorkstation { workstation, connection, kind, active: false, input, items };
+        self.workstations.insert(id, open);
         if self.state == OperatingState::Gkop {
             self.state = OperatingState::Wsop;
         }
@@ -236,7 +240,12 @@ impl Gks {
     pub fn message(&mut self, id: i32, text: &str) -> Result<()> {
         const F: Function = Function::Message;
         self.check_state(F)?;
-        self.suitable_workstation(F, id)?;
+        let workstation = self.suitable_workstation(F, id)?;
+        let recorded = workstation.control(&Record::Message(text)).map_err(|e| device_error(F, &e));
+        // The text is in the metafile, where nobody can read it now.
+        if workstation.description().category == Category::MetafileOutput {
+            return recorded;
+        }
         if let Some(handler) = &mut self.on_message {
             handler(id, text);
         }

@@ -87,7 +87,13 @@ impl DataRecord {
     ///
     /// Lines that hold no packed record, a part of one, or anything behind it are refused. Error: 2003.
     pub fn unpack(lines: &[Line]) -> Result<Self> {
-        let mut words = Words { rest: lines.as_flattened() };
+        DataRecord::unpack_bytes(lines.as_flattened())
+    }
+
+    /// The record that [`DataRecord::pack`] wrote, from its lines in one piece; the blanks at its end may be
+    /// missing. Error: 2003.
+    pub fn unpack_bytes(bytes: &[u8]) -> Result<Self> {
+        let mut words = Words { rest: bytes };
         words.record().ok_or_else(|| Error::new(2003, Function::UnpackDataRecord))
     }
 }

@@ -4,6 +4,7 @@ use crate::gks::device_error;
 use crate::{DataRecord, Error, Function, Gks, Result};
 use gks_pipeline::generated::numbers::{ESCAPES, escape};
 use gks_pipeline::look::{Cap, Join};
+use gks_pipeline::record::Record;
 
 const F: Function = Function::Escape;
 
@@ -45,6 +46,8 @@ impl Gks {
                 let on = self.antialiasing(workstation).map_err(of_record)?;
                 return Ok(DataRecord::new(&[on.into()], &[], &[]));
             }
+            // What it says is for those who read metafiles.
+            (escape::COMPOUND_PRIMITIVE, _, _) => Ok(()),
             _ => Err(Error::new(180, F).because(format!("identifier {id}"))),
         };
         done.map(|()| DataRecord::default()).map_err(of_record)
@@ -53,11 +56,14 @@ impl Gks {
     /// Turns antialiasing on or off for what is drawn on a workstation from now on; without effect where
     /// there is no choice.
     ///
-    /// Beyond the standard; ESCAPE offers it to other languages. Errors: 8, 20, 25.
+    /// Beyond the standard; ESCAPE offers it to other languages. Errors: 8, 20, 25, 303.
     pub fn set_antialiasing(&mut self, id: i32, on: bool) -> Result<()> {
         self.check_state(F)?;
-        self.workstation_mut(F, id)?.workstation.set_antialiasing(on);
-        Ok(())
+        let workstation = &mut self.workstation_mut(F, id)?.workstation;
+        workstation.set_antialiasing(on);
+        let record = DataRecord::new(&[0, on.into()], &[], &[]).pack(1)?;
+        let record = Record::Escape(escape::SET_ANTIALIASING, record.as_flattened());
+        workstation.control(&record).map_err(|e| device_error(F, &e))
     }
 
     /// Whether what is drawn on a workstation is antialiased by this library; `false` where it keeps no

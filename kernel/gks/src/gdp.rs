@@ -4,18 +4,13 @@
 //! ellipse where the normalization transformation stretches one direction more than the other.
 
 use crate::{DataRecord, Error, Function, Gks, Points, Result};
-use gks_algorithms::circle::three_points;
-use gks_algorithms::curve::NaturalSpline;
-use gks_geometry::{Ndc, Paths, Point, Vector, Wc};
-use gks_pipeline::generated::numbers::{GDPS, Gdp, GdpAttributes, gdp};
-use gks_pipeline::item::{Closure, Curve, Ellipse, Role, Shape};
+use gks_geometry::{Ndc, Paths, Point, Wc};
+use gks_pipeline::generalized::{ellipse, role, spline};
+use gks_pipeline::generated::numbers::{GDPS, Gdp, gdp};
+use gks_pipeline::item::{Curve, Role, Shape};
 use glam::DVec2;
-use std::f64::consts::TAU;
 
 const F: Function = Function::GeneralizedDrawingPrimitive;
-
-/// Half axes are parallel if they enclose less than this part of the rectangle they could.
-const PARALLEL: f64 = 1e-12;
 
 impl Gks {
     /// GENERALIZED DRAWING PRIMITIVE: the shape with an identifier of [`gdp`], through or around points.
@@ -124,10 +119,7 @@ impl Gks {
 
     fn shape(&mut self, kind: &Gdp, points: &Points<'_>) -> Result<()> {
         self.map_geometry();
-        let role = match kind.attributes {
-            GdpAttributes::Polyline => Role::Line,
-            GdpAttributes::FillArea => Role::Area,
-        };
+        let Some(role) = role(kind.number) else { return Ok(()) };
         let mut through = Vec::with_capacity(points.len());
         points.for_each(|p| through.push(p));
         let is_spline = matches!(kind.number, gdp::SPLINE | gdp::CLOSED_SPLINE);
@@ -137,8 +129,7 @@ impl Gks {
         match kind.number {
             gdp::BEZIER_CHAIN => self.bezier_chain(&through, role),
             gdp::SPLINE | gdp::CLOSED_SPLINE => {
-                let mut control = Vec::new();
-                NaturalSpline::new().pieces(&through, kind.number == gdp::CLOSED_SPLINE, &mut control);
+                let control = spline(&through, kind.number == gdp::CLOSED_SPLINE);
                 if control.len() > 1 { self.bezier_chain(&control, role) } else { self.polygon(points, role) }
             }
             _ => match ellipse(kind.number, &through) {
@@ -182,70 +173,15 @@ fn suits(kind: &Gdp, count: usize) -> bool {
     enough && (count - kind.least).is_multiple_of(kind.step)
 }
 
-/// The ellipse, or the part of one, that points determine; none if they determine none.
-fn ellipse(id: i32, points: &[DVec2]) -> Option<Ellipse<Wc>> {
-    let closure = match id {
-        gdp::CIRCULAR_ARC | gdp::ELLIPTIC_ARC => Closure::Open,
-        gdp::CIRCULAR_CHORD | gdp::ELLIPTIC_CHORD => Closure::Chord,
-        gdp::CIRCULAR_PIE | gdp::ELLIPTIC_PIE => Closure::Pie,
-        _ => Closure::Full,
-    };
-    let part = |centre: DVec2, a: DVec2, b: DVec2, start: f64, sweep: f64| Ellipse {
-        centre: Point::from_vec(centre),
-        a: Vector::from_vec(a),
-        b: Vector::from_vec(b),
-        start,
-        sweep,
-        closure,
-    };
-    match (id, points) {
-        (gdp::CIRCLE, &[edge, centre]) => {
-            let radius = edge.distance(centre);
-            let (a, b) = (DVec2::new(radius, 0.0), DVec2::new(0.0, radius));
-            (radius > 0.0).then(|| part(centre, a, b, 0.0, TAU))
-        }
-        (_, &[centre, first, second]) if id == gdp::ELLIPSE => {
-            let (a, b) = half_axes(centre, first, second)?;
-            Some(part(centre, a, b, 0.0, TAU))
-        }
-        (_, &[start, middle, end]) => {
-            let arc = three_points(start, middle, end)?;
-            let (a, b) = (DVec2::new(arc.radius, 0.0), DVec2::new(0.0, arc.radius));
-            Some(part(arc.center, a, b, arc.start, arc.sweep))
-        }
-        (_, &[centre, first, second, start, end]) => {
-            let (a, b) = half_axes(centre, first, second)?;
-            let [start, end] = [direction(start - centre, a, b)?, direction(end - centre, a, b)?];
-            // Equal rays, up to rounding, leave the whole ellipse between them.
-            let sweep = (end - start).rem_euclid(TAU);
-            Some(part(centre, a, b, start, if sweep < 1e-12 { TAU } else { sweep }))
-        }
-        _ => None,
-    }
-}
-
-/// The half axes from a centre to two points, unless they are parallel.
-fn half_axes(centre: DVec2, first: DVec2, second: DVec2) -> Option<(DVec2, DVec2)> {
-    let (a, b) = (first - centre, second - centre);
-    (a.perp_dot(b).abs() > PARALLEL * a.length() * b.length()).then_some((a, b))
-}
-
-/// The parameter of the point where the ray along `d` leaves the ellipse with half axes `a` and `b`; none
-/// if `d` has no length.
-fn direction(d: DVec2, a: DVec2, b: DVec2) -> Option<f64> {
-    // The components of d along a and b, both times the same positive number.
-    let sign = a.perp_dot(b).signum();
-    let (along_a, along_b) = (d.perp_dot(b) * sign, a.perp_dot(d) * sign);
-    (along_a != 0.0 || along_b != 0.0).then(|| along_b.atan2(along_a))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::test_device::{Drawing, INDEXED, PLAIN, active, closed, number, open};
+    use gks_geometry::Wc;
+    use gks_pipeline::item::{Closure, Ellipse};
     use gks_pipeline::look::InteriorStyle;
     use glam::dvec2;
-    use std::f64::consts::{FRAC_PI_2, PI};
+    use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
     fn near(a: DVec2, b: DVec2) -> bool {
         a.distance(b) < 1e-9
@@ -334,7 +270,7 @@ mod tests {
 
     #[test]
     fn elliptic_arcs_turn_from_the_first_half_axis_to_the_second() {
-        let part = |start, end| {
+        let part = |start, end| -> Ellipse<Wc> {
             let points = [dvec2(1.0, 1.0), dvec2(4.0, 2.0), dvec2(1.0, 3.0), start, end];
             ellipse(gdp::ELLIPTIC_ARC, &points).unwrap()
         };
@@ -344,7 +280,7 @@ mod tests {
         assert!((rest.sweep - 3.0 * FRAC_PI_2).abs() < 1e-12);
         // Where the second half axis lies clockwise of the first, the arc turns clockwise.
         let points = [(0.0, 0.0), (1.0, 0.0), (0.0, -2.0), (1.0, 0.0), (-3.0, 0.0)].map(DVec2::from);
-        let half = ellipse(gdp::ELLIPTIC_PIE, &points).unwrap();
+        let half: Ellipse<Wc> = ellipse(gdp::ELLIPTIC_PIE, &points).unwrap();
         assert!((half.sweep - PI).abs() < 1e-12 && near(half.at(half.sweep * 0.5).0, dvec2(0.0, -2.0)));
         assert_eq!(part(dvec2(4.0, 2.0), dvec2(13.0, 5.0)).sweep, TAU);
     }

@@ -2,6 +2,7 @@
 
 use crate::attributes::Geometry;
 use crate::input::{Devices, EventQueue};
+use crate::metafile::Items;
 use crate::normalization::Normalization;
 use crate::{Error, Function, OperatingState, Result};
 use gks_geometry::{Ndc, PathBuf};
@@ -52,6 +53,8 @@ pub(crate) struct OpenWorkstation {
     pub(crate) active: bool,
     /// The logical input devices.
     pub(crate) input: Devices,
+    /// The items of a metafile that is read.
+    pub(crate) items: Items,
 }
 
 /// The open segment.

@@ -7,6 +7,7 @@ use gks_pipeline::colour::Colour;
 use gks_pipeline::generated::numbers;
 use gks_pipeline::item::Cells;
 use gks_pipeline::look::{FillBundle, InteriorStyle, LineBundle, MarkerBundle, Precision, TextBundle};
+use gks_pipeline::record::Record;
 use gks_pipeline::tables::Pattern;
 use gks_pipeline::workstation::Workstation;
 
@@ -31,8 +32,11 @@ impl Gks {
         available(F, 64, linetype, numbers::LINETYPES.iter().map(|l| l.number))?;
         let width = real(F, 65, linewidth, |v| v >= 0.0)?;
         let colour = colour_index(F, workstation, colour)?;
-        workstation.tables_mut().lines.insert(line_index, LineBundle { linetype, width, colour });
-        Ok(())
+        represent(
+            F,
+            workstation,
+            &Record::LineRepresentation(line_index, LineBundle { linetype, width, colour }),
+        )
     }
 
     /// SET POLYMARKER REPRESENTATION: what a polymarker index means on a workstation.
@@ -55,8 +59,8 @@ impl Gks {
         available(F, 70, kind, numbers::MARKERS.iter().map(|m| m.number))?;
         let size = real(F, 71, size, |v| v >= 0.0)?;
         let colour = colour_index(F, workstation, colour)?;
-        workstation.tables_mut().markers.insert(marker_index, MarkerBundle { kind, size, colour });
-        Ok(())
+        let bundle = MarkerBundle { kind, size, colour };
+        represent(F, workstation, &Record::MarkerRepresentation(marker_index, bundle))
     }
 
     /// SET TEXT REPRESENTATION: what a text index means on a workstation.
@@ -85,8 +89,7 @@ impl Gks {
         let colour = colour_index(F, workstation, colour)?;
         let spacing = real(F, NOT_A_NUMBER, spacing, |_| true)?;
         let bundle = TextBundle { font, precision, expansion, spacing, colour };
-        workstation.tables_mut().texts.insert(text_index, bundle);
-        Ok(())
+        represent(F, workstation, &Record::TextRepresentation(text_index, bundle))
     }
 
     /// SET FILL AREA REPRESENTATION: what a fill area index means on a workstation.
@@ -113,8 +116,8 @@ impl Gks {
             InteriorStyle::Hatch => available(F, 86, style, numbers::HATCHES.iter().map(|h| h.number))?,
         }
         let colour = colour_index(F, workstation, colour)?;
-        workstation.tables_mut().fills.insert(fill_index, FillBundle { interior, style, colour });
-        Ok(())
+        let bundle = FillBundle { interior, style, colour };
+        represent(F, workstation, &Record::FillRepresentation(fill_index, bundle))
     }
 
     /// SET PATTERN REPRESENTATION: the cells of a pattern on a workstation, the upper row first.
@@ -169,8 +172,7 @@ impl Gks {
             }
         }
         let pattern = Pattern { columns: cells.columns, rows: cells.rows, indices };
-        workstation.tables_mut().patterns.insert(pattern_index, pattern);
-        Ok(())
+        represent(F, workstation, &Record::PatternRepresentation(pattern_index, &pattern))
     }
 
     /// SET COLOUR REPRESENTATION: what a colour index means on a workstation; index 0 is the background.
@@ -191,7 +193,7 @@ impl Gks {
         if !colour.is_valid() {
             return Err(Error::new(96, F).because(format!("{colour:?}")));
         }
-        workstation.set_colour(index, colour).map_err(|e| device_error(F, &e))
+        represent(F, workstation, &Record::ColourRepresentation(index, colour))
     }
 
     /// Sets the opacity of a colour index on a workstation, from 0, which leaves what is below, to 1.
@@ -207,8 +209,13 @@ impl Gks {
             return Err(Error::new(94, F).because(format!("colour index {index}")));
         };
         let alpha = real(F, 96, alpha, |v| (0.0..=1.0).contains(&v))? as f32;
-        workstation.set_colour(index, Colour { alpha, ..colour }).map_err(|e| device_error(F, &e))
+        represent(F, workstation, &Record::ColourRepresentation(index, Colour { alpha, ..colour }))
     }
+}
+
+/// Changes an entry of a table. Error: 303.
+fn represent(function: Function, workstation: &mut Workstation, record: &Record<'_>) -> Result<()> {
+    workstation.represent(record).map_err(|e| device_error(function, &e))
 }
 
 /// Checks an index of a table whose entries count from 1 to `most`.

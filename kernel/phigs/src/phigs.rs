@@ -9,6 +9,7 @@ use gks_pipeline::colour::Colour;
 use gks_pipeline::description::{Catalogue, OpenError};
 use gks_pipeline::device::DeviceError;
 use gks_pipeline::look::InteriorStyle;
+use gks_pipeline::record::Record;
 use gks_pipeline::tables::Tables;
 use gks_pipeline::workstation::Workstation;
 use std::collections::BTreeMap;
@@ -69,7 +70,7 @@ impl Phigs {
         const F: &str = "SET COLOUR REPRESENTATION";
         let open = self.workstation(F, id)?;
         open.correct = false;
-        open.workstation.set_colour(index, colour).map_err(|e| failed(F, &e))
+        open.workstation.represent(&Record::ColourRepresentation(index, colour)).map_err(|e| failed(F, &e))
     }
 
     /// SET VIEW REPRESENTATION 3. Errors: 54 (not open), 115 (view 0 cannot be changed), 153 (clipping limits).

@@ -9,6 +9,7 @@ pub mod colour;
 pub mod description;
 pub mod device;
 pub mod font;
+pub mod generalized;
 pub mod generated;
 pub mod input;
 pub mod item;

@@ -1,7 +1,7 @@
 //! The attributes in which one primitive differs from the one before it.
 
 use crate::item::Item;
-use crate::look::Look;
+use crate::look::{Cap, Join, Look};
 use crate::record::Attribute;
 use gks_geometry::{Ndc, Rect};
 
@@ -68,6 +68,45 @@ impl State {
             Attribute::Cap(v) => look.cap = v,
             Attribute::Join(v) => look.join = v,
         }
+    }
+}
+
+impl State {
+    /// All attributes with their values, line ends and corners only where they are not the initial ones.
+    pub fn attributes(&self) -> impl Iterator<Item = Attribute> + use<> {
+        let State { look, clip, pick } = self;
+        let (line, marker, text, fill) = (&look.line, &look.marker, &look.text, &look.fill);
+        let (geometry, pattern) = (&look.text_geometry, &look.pattern);
+        let standard = [
+            Attribute::LineIndex(look.line_index),
+            Attribute::Linetype(line.linetype),
+            Attribute::LineWidth(line.width),
+            Attribute::LineColour(line.colour),
+            Attribute::MarkerIndex(look.marker_index),
+            Attribute::MarkerType(marker.kind),
+            Attribute::MarkerSize(marker.size),
+            Attribute::MarkerColour(marker.colour),
+            Attribute::TextIndex(look.text_index),
+            Attribute::TextFont(text.font, text.precision),
+            Attribute::CharacterExpansion(text.expansion),
+            Attribute::CharacterSpacing(text.spacing),
+            Attribute::TextColour(text.colour),
+            Attribute::CharacterVectors(geometry.height, geometry.width),
+            Attribute::TextPath(geometry.path),
+            Attribute::TextAlignment(geometry.horizontal, geometry.vertical),
+            Attribute::FillIndex(look.fill_index),
+            Attribute::InteriorStyle(fill.interior),
+            Attribute::FillStyle(fill.style),
+            Attribute::FillColour(fill.colour),
+            Attribute::PatternVectors(pattern.width, pattern.height),
+            Attribute::PatternReference(pattern.reference),
+            Attribute::AspectSourceFlags(look.sources),
+            Attribute::PickIdentifier(*pick),
+            Attribute::ClippingRectangle(*clip),
+        ];
+        let cap = (look.cap != Cap::Butt).then_some(Attribute::Cap(look.cap));
+        let join = (look.join != Join::Miter).then_some(Attribute::Join(look.join));
+        standard.into_iter().chain(cap).chain(join)
     }
 }
 
@@ -184,5 +223,8 @@ mod tests {
         assert_eq!(told, all());
         assert_eq!(known, other);
         differences(&mut known, &item, |attribute| panic!("{attribute:?} has not changed"));
+        let mut again = State::default();
+        other.attributes().for_each(|attribute| again.set(attribute));
+        assert_eq!(again, other);
     }
 }

@@ -5,6 +5,8 @@
 //! gives the same stream back. [`Record`] names what GKSM items 1-6, 11-16, 21-44, 51-56, 61, 71-72, 81-95
 //! and those above 100 hold; all coordinates are NDC unless said otherwise, whatever the file codes them as.
 
+pub mod item;
+
 use crate::colour::Colour;
 use crate::description::{DeferralMode, RegenerationMode};
 use crate::device::DeviceError;

@@ -122,9 +122,46 @@ impl Workstation {
         &self.tables
     }
 
-    /// The bundle and pattern tables, to be changed. Colours are changed by [`Workstation::set_colour`].
+    /// The tables, to be set up for a workstation that has drawn nothing; what a program changes goes through
+    /// [`Workstation::represent`].
     pub fn tables_mut(&mut self) -> &mut Tables {
         &mut self.tables
+    }
+
+    /// Changes an entry of a bundle, pattern or colour table: the record is one of the representations. A
+    /// metafile is told.
+    ///
+    /// Pixels that store a colour index change at once, everything else shows the entry from now on; a changed
+    /// background shows on the next page unless the current one is empty.
+    pub fn represent(&mut self, record: &Record<'_>) -> Result<(), DeviceError> {
+        let tables = &mut self.tables;
+        match *record {
+            Record::LineRepresentation(index, bundle) => {
+                tables.lines.insert(index, bundle);
+            }
+            Record::MarkerRepresentation(index, bundle) => {
+                tables.markers.insert(index, bundle);
+            }
+            Record::TextRepresentation(index, bundle) => {
+                tables.texts.insert(index, bundle);
+            }
+            Record::FillRepresentation(index, bundle) => {
+                tables.fills.insert(index, bundle);
+            }
+            Record::PatternRepresentation(index, pattern) => {
+                tables.patterns.insert(index, pattern.clone());
+            }
+            Record::ColourRepresentation(index, colour) => {
+                tables.colours.set(index, colour);
+                if self.begun
+                    && let Some(buffer) = self.backend.device().and_then(|device| device.frame_buffer())
+                {
+                    buffer.set_colour(index, colour);
+                }
+            }
+            _ => debug_assert!(false, "{record:?} changes no table"),
+        }
+        self.control(record)
     }
 
     /// The transformation asked for.
@@ -258,9 +295,10 @@ impl Workstation {
     /// An empty page that was begun to be read is cleared too if `always` is set; one that was not begun is
     /// clear, and nothing is written for it.
     pub fn clear(&mut self, always: bool) -> Result<(), DeviceError> {
+        let recorded = self.control(&Record::Clear { always });
         let done = if always || !self.empty { self.end_page() } else { Ok(()) };
         self.start_frame();
-        done
+        recorded.and(done)
     }
 
     /// Draws the picture again: clears the display surface, lets the requested transformation take effect
@@ -305,6 +343,7 @@ impl Workstation {
         perform: bool,
         segments: impl Iterator<Item = &'s Segment> + Clone,
     ) -> Result<(), DeviceError> {
+        self.control(&Record::Update { perform })?;
         if perform && self.new_frame_necessary { self.redraw(segments) } else { self.flush() }
     }
 
@@ -360,21 +399,22 @@ impl Workstation {
     ) -> Result<(), DeviceError> {
         self.deferral = deferral;
         self.regeneration = regeneration;
-        self.present()
+        let presented = self.present();
+        self.control(&Record::Deferral(deferral, regeneration)).and(presented)
     }
 
     /// Asks for another workstation window. A regeneration may become due.
     pub fn set_window(&mut self, window: Rect<Ndc>) -> Result<(), DeviceError> {
         self.requested.window = window;
         self.transformation_changed();
-        Ok(())
+        self.control(&Record::WorkstationWindow(window))
     }
 
     /// Asks for another workstation viewport, in metres. A regeneration may become due.
     pub fn set_viewport(&mut self, viewport: Rect<Dc>) -> Result<(), DeviceError> {
         self.requested.viewport = viewport;
         self.transformation_changed();
-        Ok(())
+        self.control(&Record::WorkstationViewport(viewport))
     }
 
     fn transformation_changed(&mut self) {
@@ -402,16 +442,9 @@ impl Workstation {
         self.map = self.device_map().then(&Map::from_affine(to_units));
     }
 
-    /// Sets the colour of an index. Pixels that store the index change at once, everything else shows the
-    /// colour from now on; a changed background shows on the next page unless the current one is empty.
+    /// Sets the colour of an index, as [`Workstation::represent`] does.
     pub fn set_colour(&mut self, index: u32, colour: Colour) -> Result<(), DeviceError> {
-        self.tables.colours.set(index, colour);
-        if self.begun
-            && let Some(buffer) = self.backend.device().and_then(|device| device.frame_buffer())
-        {
-            buffer.set_colour(index, colour);
-        }
-        Ok(())
+        self.represent(&Record::ColourRepresentation(index, colour))
     }
 
     /// Turns antialiasing on or off for what is drawn from now on; without effect on a device that has no
@@ -430,7 +463,7 @@ impl Workstation {
     }
 
     /// The metafile that is read.
-    pub fn source(&mut self) -> Option<&mut dyn Source> {
+    pub fn source(&mut self) -> Option<&mut (dyn Source + 'static)> {
         match &mut self.backend {
             Backend::Source(source) => Some(&mut **source),
             _ => None,

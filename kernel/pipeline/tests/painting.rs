@@ -6,6 +6,7 @@ use gks_pipeline::description::*;
 use gks_pipeline::device::*;
 use gks_pipeline::item::*;
 use gks_pipeline::look::{Cap, InteriorStyle, Look};
+use gks_pipeline::record::Record;
 use gks_pipeline::tables::Tables;
 use gks_pipeline::workstation::{Backend, Workstation};
 use glam::DVec2;
@@ -358,7 +359,7 @@ fn bundles_and_colours_are_those_of_the_workstation() {
     let line = path(&[(0.0, 0.0), (0.5, 0.5)]);
     draw(&mut ws, Shape::Polyline(line.as_paths()), &look, Rect::UNIT);
     look.line_index = 4711;
-    ws.set_colour(1, Colour::rgb(1.0, 0.0, 0.0)).unwrap();
+    ws.represent(&Record::ColourRepresentation(1, Colour::rgb(1.0, 0.0, 0.0))).unwrap();
     draw(&mut ws, Shape::Polyline(line.as_paths()), &look, Rect::UNIT);
     let seen = seen.lock().unwrap();
     assert_eq!(seen[0].width, 3.0, "predefined polyline bundle 5");

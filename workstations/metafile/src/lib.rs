@@ -4,4 +4,9 @@
 //! over bytes. Neither opens files, and neither believes a count in a file before the data is there.
 
 pub mod cgm;
+mod format;
 pub mod generated;
+pub mod gksm;
+mod input;
+
+pub use format::{Format, Opened, ReadOptions, open_source};

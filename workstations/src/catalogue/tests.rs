@@ -77,7 +77,7 @@ fn dialects_have_numbers_of_their_own() {
     assert_eq!(becomes(&[ncar], 42, "x.pdf"), "pdf x.pdf");
     assert_eq!(becomes(&[ncar], 200, "x.svg"), "svg x.svg");
     assert_eq!(becomes(&[ncar], 3, ""), "no workstation type 3");
-    assert_eq!(becomes(&[ncar], 2, ""), "no workstation type 2");
+    assert_eq!(becomes(&[ncar], 4, ""), "no workstation type 4");
     let svg = ("GKS_WSTYPE", "svg");
     assert_eq!(becomes(&[ncar, svg], 1, "gmeta"), "svg gmeta.svg");
     assert_eq!(becomes(&[ncar, svg], 12, "2"), "svg gks.2.svg");

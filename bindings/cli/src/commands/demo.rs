@@ -1,10 +1,9 @@
 //! `gks demo`: the demonstration pictures on several devices.
 
-use super::Failure;
+use super::{Failure, extension};
 use crate::{demo, towers};
 use gks::Gks;
 use gks_pipeline::description::{Catalogue, Category};
-use gks_pipeline::generated::numbers::WORKSTATION_TYPES;
 use gks_workstations::catalogue::Drivers;
 use gks_workstations::environment::Environment;
 use phigs::Phigs;
@@ -57,15 +56,10 @@ fn devices(on: &str) -> Result<Vec<(i32, &'static str, &'static str)>, Failure> 
     };
     let described = chosen.into_iter().filter_map(|t| drivers.describe(t));
     Ok(described
-        .filter(|d| d.category == Category::Output)
+        .filter(|d| matches!(d.category, Category::Output | Category::MetafileOutput))
         .map(|d| (d.number, d.name, extension(d.number)))
         .filter(|(_, _, extension)| !extension.is_empty())
         .collect())
-}
-
-/// The extension of the files of a workstation type; empty if it writes none.
-fn extension(number: i32) -> &'static str {
-    WORKSTATION_TYPES.iter().find(|t| t.number == number).map_or("", |t| t.extension)
 }
 
 fn show(name: &str, file: &Path, picture: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {

@@ -285,6 +285,10 @@ pub mod workstation_type {
     pub const HPGL: i32 = 300;
     /// PNG image, if a file is named, with input from a script.
     pub const SCRIPTED: i32 = 530;
+    /// Metafile of GKS (GKSM), written.
+    pub const GKSM: i32 = 2;
+    /// Metafile of any format, read.
+    pub const MI: i32 = 3;
     /// Accepts everything and draws nothing.
     pub const NULL: i32 = 900;
 }
@@ -308,6 +312,8 @@ pub static WORKSTATION_TYPES: &[WorkstationType] = &[
     WorkstationType { number: 221, name: "eps", extension: "eps", colours: 65536, meaning: "encapsulated PostScript, one page" },
     WorkstationType { number: 300, name: "hpgl", extension: "plt", colours: 65536, meaning: "pen plotter, HP-GL" },
     WorkstationType { number: 530, name: "scripted", extension: "png", colours: 65536, meaning: "PNG image, if a file is named, with input from a script" },
+    WorkstationType { number: 2, name: "gksm", extension: "gksm", colours: 65536, meaning: "metafile of GKS (GKSM), written" },
+    WorkstationType { number: 3, name: "mi", extension: "", colours: 65536, meaning: "metafile of any format, read" },
     WorkstationType { number: 900, name: "null", extension: "", colours: 65536, meaning: "accepts everything and draws nothing" },
 ];
 
@@ -497,6 +503,8 @@ pub mod escape {
     pub const SET_ANTIALIASING: i32 = -3004;
     /// Inquire antialiasing; data record: integers (workstation identifier), integers out (antialiasing: 0 off, 1 on).
     pub const INQUIRE_ANTIALIASING: i32 = -3005;
+    /// Compound primitive; data record: integers (number of polylines or fill areas that follow and are one primitive).
+    pub const COMPOUND_PRIMITIVE: i32 = -3006;
 }
 
 /// The escape functions.
@@ -506,6 +514,7 @@ pub static ESCAPES: &[Escape] = &[
     Escape { number: -3003, name: "set colour alpha", integers: 2, reals: 1, output_integers: 0 },
     Escape { number: -3004, name: "set antialiasing", integers: 2, reals: 0, output_integers: 0 },
     Escape { number: -3005, name: "inquire antialiasing", integers: 1, reals: 0, output_integers: 1 },
+    Escape { number: -3006, name: "compound primitive", integers: 1, reals: 0, output_integers: 0 },
 ];
 
 /// The predefined polyline bundles 1, 2, ....
