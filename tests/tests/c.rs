@@ -92,6 +92,11 @@ fn types_of_workstations_are_described() {
 }
 
 #[test]
+fn segments_are_made_changed_and_stored() {
+    passes("segments", Linking::Shared);
+}
+
+#[test]
 fn an_error_handler_is_set_and_given_back() {
     for linking in BOTH {
         let Some(folder) = passes("handler", linking) else { return };

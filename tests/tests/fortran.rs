@@ -76,6 +76,11 @@ fn parts_of_arrays_are_drawn_and_read_back() {
 }
 
 #[test]
+fn segments_are_made_changed_and_stored() {
+    passes_shared(&["segments", "recorder"]);
+}
+
+#[test]
 fn an_error_handler_of_the_program_wins() {
     for linking in [Linking::Shared, Linking::Static] {
         let Some(folder) = passes(&["handler"], linking, &[]) else { return };
