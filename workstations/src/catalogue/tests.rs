@@ -68,6 +68,19 @@ fn other_types_give_way_when_forced() {
 }
 
 #[test]
+fn segment_storage_is_neither_replaced_nor_chosen() {
+    let (svg, force) = (("GKS_WSTYPE", "svg"), ("GKS_WSTYPE_FORCE", "1"));
+    assert_eq!(becomes(&[svg, force], own::WISS, "out.pdf"), "wiss ");
+    assert!(
+        becomes(&[("GKS_WSTYPE", "wiss")], 0, "").starts_with("GKS_WSTYPE=wiss: no such workstation type")
+    );
+    let mut drivers = Drivers::new(environment(&[svg, force]));
+    let (backend, description) = drivers.open(own::WISS, "out.pdf").unwrap();
+    assert!(matches!(backend, Backend::Storage));
+    assert_eq!((description.category, description.number), (Category::Wiss, own::WISS));
+}
+
+#[test]
 fn dialects_have_numbers_of_their_own() {
     let ncar = ("GKS_DIALECT", "ncar");
     assert_eq!(becomes(&[ncar], 1, "2"), "png gks.2.png");
@@ -76,12 +89,12 @@ fn dialects_have_numbers_of_their_own() {
     assert_eq!(becomes(&[ncar], 21, "2"), "eps gks.2.eps");
     assert_eq!(becomes(&[ncar], 42, "x.pdf"), "pdf x.pdf");
     assert_eq!(becomes(&[ncar], 200, "x.svg"), "svg x.svg");
-    assert_eq!(becomes(&[ncar], 3, ""), "no workstation type 3");
+    assert_eq!(becomes(&[ncar], 3, ""), "wiss ");
     assert_eq!(becomes(&[ncar], 4, ""), "no workstation type 4");
     let svg = ("GKS_WSTYPE", "svg");
     assert_eq!(becomes(&[ncar, svg], 1, "gmeta"), "svg gmeta.svg");
     assert_eq!(becomes(&[ncar, svg], 12, "2"), "svg gks.2.svg");
-    assert_eq!(becomes(&[ncar, svg], 3, ""), "no workstation type 3");
+    assert_eq!(becomes(&[ncar, svg], 3, ""), "wiss ");
     assert_eq!(becomes(&[ncar, ("GKS_WSTYPE", "20")], 1, "2"), "ps gks.2.ps");
     assert_eq!(becomes(&[ncar, ("GKS_WSTYPE", "1")], 8, "2"), "png gks.2.png");
     assert_eq!(becomes(&[("GKS_DIALECT", "gr")], 101, "2"), "pdf gks.2.pdf");

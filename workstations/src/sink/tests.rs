@@ -168,3 +168,23 @@ fn memory_holds_completed_documents_only() {
     assert_eq!(documents.take(), [b"one"]);
     assert!(documents.is_empty() && documents.get(0).is_none());
 }
+
+#[test]
+fn a_document_is_taken_back_before_it_is_complete() {
+    let directory = Directory::new();
+    let name = directory.name("out.txt");
+    let mut file = FileSink::create(&name).unwrap();
+    assert!(!file.restart().unwrap(), "there is no document");
+    let (mut memory, documents) = MemorySink::new();
+    for sink in [&mut file as &mut dyn Sink, &mut memory] {
+        sink.open().unwrap();
+        sink.write(&[b'x'; 100_000]).unwrap();
+        assert!(sink.restart().unwrap());
+        sink.write(b"short").unwrap();
+        sink.finish().unwrap();
+    }
+    assert_eq!(fs::read(&name).unwrap(), b"short");
+    assert_eq!(documents.take(), [b"short"]);
+    assert_eq!(directory.files(), ["out.txt"]);
+    assert!(!StdoutSink::new().restart().unwrap());
+}
