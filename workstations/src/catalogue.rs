@@ -98,6 +98,7 @@ impl Drivers {
         let wish = |kind, preset, file| Ok(Some(Wish { kind, preset, file, options }));
         let foreign = base.parse().ok().and_then(|number| dialect.find(number));
         match foreign.map(|foreign| foreign.meaning) {
+            Some(Meaning::Own(own::WISS, _)) => Err(no_such_name(text)),
             Some(Meaning::Own(number, preset)) => wish(by_number(number).unwrap_or(default()), preset, None),
             Some(Meaning::Chosen) => wish(default(), "", None),
             None => match by_text(base) {
