@@ -15,7 +15,7 @@ use crate::connection::{self, Target};
 use crate::dialect::{Dialect, Meaning};
 use crate::environment::Environment;
 use crate::options::{OptionError, Options, split_connection};
-use crate::{drivers, metafile, sink};
+use crate::{drivers, interactive, metafile, sink};
 use gks_pipeline::description::{Catalogue, Category, Description, OpenError};
 use gks_pipeline::generated::numbers::{WORKSTATION_TYPES, WorkstationType, workstation_type as own};
 use gks_pipeline::workstation::Backend;
@@ -234,6 +234,12 @@ impl Catalogue for Drivers {
                 return Ok((Backend::Source(source), description));
             }
             _ => {}
+        }
+        if interactive::is_interactive(selection.kind) {
+            let named = self.environment.conid.as_deref().unwrap_or(connection);
+            let device = interactive::open(selection.kind, &options, split_connection(named).0.trim());
+            let device = device.map_err(OpenError::CannotOpen)?;
+            return Ok((Backend::Device(device), description));
         }
         // What is there for its input writes a picture only where somebody has asked for one.
         let unasked =

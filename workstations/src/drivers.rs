@@ -2,6 +2,7 @@
 
 use crate::connection;
 use crate::hpgl::{self, Hpgl};
+use crate::interactive;
 use crate::metafile;
 use crate::null::Null;
 use crate::options::{Options, SizeLimits};
@@ -56,6 +57,7 @@ pub(crate) fn describe(kind: &WorkstationType, options: &Options) -> Result<Desc
         own::GKSM | own::MI => {
             metafile::describe(number, name, category(kind), options).map_err(|error| error.to_string())
         }
+        _ if interactive::is_interactive(kind) => interactive::describe(kind, options),
         _ => Err(unavailable(kind)),
     }
 }

@@ -12,6 +12,7 @@ pub mod dialect;
 mod drivers;
 pub mod environment;
 pub mod hpgl;
+pub mod interactive;
 mod metafile;
 pub mod null;
 pub mod number;

@@ -33,6 +33,12 @@ pub struct Options {
     pub coding: Option<Coding>,
     /// How items that authors code differently are read in a metafile of GKS, whatever its header says.
     pub items: Option<Convention>,
+    /// Whether the last picture of a window stays when the workstation is closed.
+    pub keep: Option<bool>,
+    /// The port of a page; any free one if absent.
+    pub port: Option<u16>,
+    /// Whether a page is opened in a browser.
+    pub open: bool,
 }
 
 /// Why an option is refused.
@@ -56,7 +62,8 @@ pub enum OptionError {
     },
 }
 
-const NAMES: &str = "size, dpi, landscape, background, antialias, outlines, quality, script, coding, items";
+const NAMES: &str =
+    "size, dpi, landscape, background, antialias, outlines, quality, script, coding, items, keep, port, open";
 
 /// The sizes of display surfaces that a kind of device accepts.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -132,6 +139,12 @@ impl Options {
                     _ => return Err(refused("items", value, "ral or xgks")),
                 });
             }
+            "keep" => self.keep = Some(switch("keep", value)?),
+            "port" => {
+                let port = value.parse().map_err(|_| refused("port", value, "a number from 0 to 65535"))?;
+                self.port = Some(port);
+            }
+            "open" => self.open = switch("open", value)?,
             _ => return Err(OptionError::Unknown(name.to_owned())),
         }
         Ok(())
@@ -222,7 +235,7 @@ mod tests {
     #[test]
     fn all_options_are_read() {
         let list = "size=1600x1200&dpi=300&landscape=1&background=#ff8000&antialias=0&outlines=1&quality=90&\
-                    script=in/a.script&coding=formatted&items=xgks";
+                    script=in/a.script&coding=formatted&items=xgks&keep=1&port=8080&open=1";
         let expected = Options {
             size: Some((1600.0, 1200.0)),
             dpi: Some(300.0),
@@ -235,6 +248,9 @@ mod tests {
             quality: Some(90),
             coding: Some(Coding::Formatted),
             items: Some(Convention::Xgks),
+            keep: Some(true),
+            port: Some(8080),
+            open: true,
         };
         assert_eq!(parse(list), Ok(expected.clone()));
         assert_eq!(parse(&list.replace('&', " , ")), Ok(expected));
@@ -268,7 +284,8 @@ mod tests {
         assert_eq!(
             message("colour=red"),
             "there is no option \"colour\"; the options are size, dpi, landscape, background, antialias, \
-             outlines, quality, script, coding, items"
+             outlines, quality, script, coding, items, keep, \
+             port, open"
         );
         assert_eq!(message("dpi"), "option \"dpi\" has no value; write dpi=value");
         assert_eq!(message("dpi=0.5"), "option dpi=0.5: expected a number from 1 to 10000");
@@ -277,6 +294,7 @@ mod tests {
         assert_eq!(message("quality=101"), "option quality=101: expected a whole number from 1 to 100");
         assert_eq!(message("coding=text"), "option coding=text: expected binary or formatted");
         assert_eq!(message("items=gks"), "option items=gks: expected ral or xgks");
+        assert_eq!(message("port=65536"), "option port=65536: expected a number from 0 to 65535");
         assert_eq!(message("quality=0"), "option quality=0: expected a whole number from 1 to 100");
         let sides = "expected WIDTHxHEIGHT in pixels, each from 1 to 32767";
         for wrong in ["100", "100x", "x", "0x10", "1e9x10", "infxinf", "NaNx1", "-5x5", "5x5x5"] {

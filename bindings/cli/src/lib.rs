@@ -8,3 +8,4 @@ pub mod generated;
 pub mod libraries;
 pub mod loading;
 pub mod towers;
+pub mod viewer;

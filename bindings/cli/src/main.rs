@@ -2,6 +2,7 @@
 
 use clap::{Parser, Subcommand, ValueEnum};
 use gks_cli::commands::{Failure, compile, coverage, demo, doctor, info, play, run, workstations};
+use gks_cli::viewer;
 use gks_metafile::ReadOptions;
 use gks_pipeline::record::item::Convention;
 use gks_workstations::dialect::Dialect;
@@ -97,6 +98,9 @@ enum Command {
         /// The file, or the name of a program.
         program: PathBuf,
     },
+    /// Show the window of a program; programs start this themselves.
+    #[command(hide = true)]
+    Viewer,
 }
 
 /// Authors of metafiles who code items differently.
@@ -137,6 +141,7 @@ fn main() -> ExitCode {
             }
         }
         Command::Doctor { program } => doctor::run(&program),
+        Command::Viewer => viewer::run(),
     };
     result.unwrap_or_else(|failure| {
         eprintln!("gks: {failure}");

@@ -283,6 +283,18 @@ pub mod workstation_type {
     pub const EPS: i32 = 221;
     /// Pen plotter, HP-GL.
     pub const HPGL: i32 = 300;
+    /// Window, with pointer and keyboard.
+    pub const WINDOW: i32 = 500;
+    /// Page in a browser, with pointer and keyboard.
+    pub const WEB: i32 = 510;
+    /// Terminal, with the best graphics that it has.
+    pub const TERMINAL: i32 = 520;
+    /// Terminal with sixels.
+    pub const SIXEL: i32 = 521;
+    /// Terminal with the graphics protocol of kitty.
+    pub const KITTY: i32 = 522;
+    /// Terminal with half blocks in 24-bit colour.
+    pub const BLOCKS: i32 = 523;
     /// PNG image, if a file is named, with input from a script.
     pub const SCRIPTED: i32 = 530;
     /// Metafile of GKS (GKSM), written.
@@ -311,6 +323,12 @@ pub static WORKSTATION_TYPES: &[WorkstationType] = &[
     WorkstationType { number: 220, name: "ps", extension: "ps", colours: 65536, meaning: "PostScript" },
     WorkstationType { number: 221, name: "eps", extension: "eps", colours: 65536, meaning: "encapsulated PostScript, one page" },
     WorkstationType { number: 300, name: "hpgl", extension: "plt", colours: 65536, meaning: "pen plotter, HP-GL" },
+    WorkstationType { number: 500, name: "window", extension: "", colours: 65536, meaning: "window, with pointer and keyboard" },
+    WorkstationType { number: 510, name: "web", extension: "", colours: 65536, meaning: "page in a browser, with pointer and keyboard" },
+    WorkstationType { number: 520, name: "terminal", extension: "", colours: 65536, meaning: "terminal, with the best graphics that it has" },
+    WorkstationType { number: 521, name: "sixel", extension: "", colours: 65536, meaning: "terminal with sixels" },
+    WorkstationType { number: 522, name: "kitty", extension: "", colours: 65536, meaning: "terminal with the graphics protocol of kitty" },
+    WorkstationType { number: 523, name: "blocks", extension: "", colours: 65536, meaning: "terminal with half blocks in 24-bit colour" },
     WorkstationType { number: 530, name: "scripted", extension: "png", colours: 65536, meaning: "PNG image, if a file is named, with input from a script" },
     WorkstationType { number: 2, name: "gksm", extension: "gksm", colours: 65536, meaning: "metafile of GKS (GKSM), written" },
     WorkstationType { number: 3, name: "mi", extension: "", colours: 65536, meaning: "metafile of any format, read" },
