@@ -254,6 +254,14 @@ fn records_of_80_characters_are_joined() {
 }
 
 #[test]
+fn a_header_may_be_short() {
+    let mut file = header("VARKON", " 4 3 6 6 8 1 1", "") + "\n";
+    file += "GKSM  1     6     0\nGKSM 11    38     2 0.25000 0.50000 0.75000 1.00000\nGKSM  0     0\n";
+    let (records, faults) = read(file.as_bytes());
+    assert_eq!((records.len(), faults), (2, 0), "{records:?}");
+}
+
+#[test]
 fn reals_may_be_integers_and_bytes_the_other_way_round() {
     let mut file = header("elsewhere", " 0 2 2 2 2 2 2", "          0      10000").into_bytes();
     for value in [11_i16, 10, 2, 0, 5000, 10_000, 2500] {

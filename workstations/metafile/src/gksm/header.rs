@@ -1,9 +1,13 @@
 //! The header of a GKSM: 90 characters.
 
+use super::formatted::newline;
 use gks_pipeline::record::item::Convention;
 
 /// The length of a header.
 pub(super) const LENGTH: usize = 90;
+
+/// The length of the part that is always there.
+const SHORT: usize = 68;
 
 /// What stands for an author in the headers that are written here.
 const AUTHOR: &str = concat!("gks ", env!("CARGO_PKG_VERSION"));
@@ -82,15 +86,29 @@ impl Header {
 
     /// The header at the beginning of a file.
     pub(super) fn parse(head: &[u8]) -> Option<Header> {
-        let fixed = head.get(..68)?;
+        // The header may be cut into lines, and may end before what only integers for reals need.
+        let mut text = Vec::with_capacity(LENGTH);
+        let mut size = 0;
+        for &byte in head {
+            if text.len() == LENGTH || (text.len() == SHORT && newline(byte)) {
+                break;
+            }
+            size += 1;
+            if !newline(byte) {
+                text.push(byte);
+            }
+        }
+        let head = text.as_slice();
+        let fixed = head.get(..SHORT)?;
         if !fixed.starts_with(b"GKSM") {
             return None;
         }
         let number = |from: usize, width: usize| -> Option<i32> {
             str::from_utf8(head.get(from..from + width)?).ok()?.trim().parse().ok()
         };
-        let size = |from: usize| number(from, 2).and_then(|n| usize::try_from(n).ok());
-        let (mark, kind, length, integer, real) = (size(54)?, size(56)?, size(58)?, size(60)?, size(62)?);
+        let width = |from: usize| number(from, 2).and_then(|n| usize::try_from(n).ok());
+        let (mark, kind, length, integer, real) =
+            (width(54)?, width(56)?, width(58)?, width(60)?, width(62)?);
         let formatted = match number(64, 2)? {
             1 => true,
             2 => false,
@@ -108,6 +126,6 @@ impl Header {
             return None;
         }
         let author = String::from_utf8_lossy(&fixed[4..44]).trim().to_owned();
-        Some(Header { author, mark, kind, length, integer, real, formatted, scale, size: LENGTH })
+        Some(Header { author, mark, kind, length, integer, real, formatted, scale, size })
     }
 }

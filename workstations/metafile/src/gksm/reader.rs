@@ -43,7 +43,7 @@ enum State {
 impl Reader {
     /// The metafile in some bytes.
     pub(crate) fn new(mut input: Input, options: &ReadOptions) -> Result<Reader, SourceError> {
-        let head = input.peek(header::LENGTH)?;
+        let head = input.peek(2 * header::LENGTH)?;
         let header = Header::parse(head)
             .ok_or_else(|| SourceError::Malformed { offset: 0, what: "no header of a GKSM".to_owned() })?;
         input.skip(header.size as u64)?;
@@ -150,10 +150,16 @@ impl Reader {
     fn fixed(&mut self) -> Result<i32, SourceError> {
         let offset = self.input.offset();
         let mark = self.header.mark;
-        if self.input.peek(mark)? != &MARK[..mark] {
-            return self.lost(offset, "an item does not begin with GKSM");
+        if self.input.peek(mark)? == &MARK[..mark] {
+            self.input.consume(mark);
+        } else {
+            // A line may end in the middle of the word.
+            self.data.clear();
+            let cut = self.layout == Layout::Wrapped && self.read(mark)? && self.data == MARK[..mark];
+            if !cut {
+                return self.lost(offset, "an item does not begin with GKSM");
+            }
         }
-        self.input.consume(mark);
         let kind = self.number(self.header.kind)?.and_then(|kind| i32::try_from(kind).ok());
         let length = self.number(self.header.length)?.and_then(|length| u64::try_from(length).ok());
         let (Some(kind), Some(length)) =
