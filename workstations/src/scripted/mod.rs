@@ -225,3 +225,76 @@ impl Input for Scripted {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gks_geometry::Rect;
+    use gks_pipeline::input::{Detail, InputClass};
+
+    fn no_file(name: &str) -> io::Result<Box<dyn Sink>> {
+        Err(io::Error::new(io::ErrorKind::NotFound, name))
+    }
+
+    /// A workstation of 200 x 100 pixels of 0.2 mm with a script.
+    fn scripted(script: &str) -> Scripted {
+        let options = Options { size: Some((200.0, 100.0)), ..Options::default() };
+        Scripted::new(TrueColour::new(&options, None).unwrap(), script, no_file).unwrap()
+    }
+
+    fn device(class: InputClass) -> LogicalDevice {
+        LogicalDevice { class, number: 1 }
+    }
+
+    fn start(workstation: &mut Scripted, class: InputClass, initial: Measure) {
+        let all = Rect::new(0.0, 0.04, 0.0, 0.02);
+        let detail = Detail::Locator;
+        let setting = Setting { echo: true, prompt: 1, area: all, within: all, initial, detail };
+        workstation.start(device(class), &setting).unwrap();
+    }
+
+    #[test]
+    fn steps_are_reported_in_order_and_then_nobody_is_there() {
+        let mut operated = scripted("locator 1 0.5 1\nbreak\ntogether\nlocator 1 0 0\nvaluator 1 3\nend\n");
+        start(&mut operated, InputClass::Locator, Measure::Locator(Point::new(0.0, 0.0)));
+        start(&mut operated, InputClass::Valuator, Measure::Valuator(0.0));
+        let place = |x, y| (device(InputClass::Locator), Measure::Locator(Point::new(x, y)));
+        assert_eq!(operated.wait(None).unwrap(), Report::Trigger(vec![place(0.01, 0.02)]));
+        assert_eq!(operated.wait(None).unwrap(), Report::Break);
+        let number = (device(InputClass::Valuator), Measure::Valuator(3.0));
+        assert_eq!(operated.wait(None).unwrap(), Report::Trigger(vec![place(0.0, 0.0), number]));
+        assert_eq!(operated.wait(None).unwrap(), Report::Gone);
+    }
+
+    #[test]
+    fn a_step_for_a_device_that_is_not_started_is_an_error_that_names_the_line() {
+        let mut operated = scripted("# out of step\nchoice 1 2\nbreak");
+        let said = operated.wait(None).unwrap_err().to_string();
+        assert!(said.ends_with("line 2 of the script: choice 1 is not started"), "{said}");
+        assert_eq!(operated.wait(None).unwrap(), Report::Break);
+    }
+
+    #[test]
+    fn a_sample_takes_only_what_is_about_its_device() {
+        let mut operated = scripted("valuator 1 2\nchoice 1 1\nvaluator 1 3");
+        start(&mut operated, InputClass::Valuator, Measure::Valuator(0.5));
+        start(&mut operated, InputClass::Choice, Measure::Choice(None));
+        let valuator = device(InputClass::Valuator);
+        for _ in 0..2 {
+            assert_eq!(operated.sample(valuator).unwrap(), Some(Measure::Valuator(2.0)));
+        }
+        assert_eq!(operated.sample(device(InputClass::Choice)).unwrap(), Some(Measure::Choice(Some(1))));
+        assert_eq!(operated.sample(valuator).unwrap(), Some(Measure::Valuator(3.0)));
+        assert_eq!(operated.sample(device(InputClass::String)).unwrap(), None);
+    }
+
+    #[test]
+    fn time_passes_and_files_that_cannot_be_written_are_reported() {
+        let mut operated = scripted("wait 0.05\nsnapshot here.png\nbreak");
+        let before = Instant::now();
+        assert_eq!(operated.wait(Some(Duration::from_millis(1))).unwrap(), Report::Nothing);
+        assert!(operated.wait(None).unwrap_err().to_string().contains("here.png"));
+        assert!(before.elapsed() >= Duration::from_millis(50));
+        assert_eq!(operated.wait(None).unwrap(), Report::Break);
+    }
+}
