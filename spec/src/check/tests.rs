@@ -87,6 +87,7 @@ fn duplicates_are_found() {
 fn what_is_awaited_is_checked() {
     expect("TEXT: level 0a awaits something", |t| function(t, "TEXT").awaits = Some("letters".to_owned()));
     expect("CREATE SEGMENT: it awaits something and calls errors", |t| {
+        function(t, "CREATE SEGMENT").awaits = Some("segments".to_owned());
         function(t, "CREATE SEGMENT").unreachable.insert("120".to_owned(), "why not".to_owned());
     });
     expect("PACK DATA RECORD: it awaits something and has no", |t| {

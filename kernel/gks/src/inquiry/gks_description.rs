@@ -90,6 +90,7 @@ mod tests {
                 format!("\n    {method}("),
                 format!("\n    {method} ->"),
                 format!("\n    {method},"),
+                format!("\n        {method},"),
             ];
             let is_there = beginnings.iter().any(|beginning| sources.contains(beginning));
             assert_eq!(is_there, value("awaits").is_none(), "{method}: the table is wrong about it");
