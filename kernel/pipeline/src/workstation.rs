@@ -76,6 +76,8 @@ pub struct Workstation {
     empty: bool,
     /// Whether primitives outside of segments have been drawn on the page.
     loose: bool,
+    /// Whether primitives of segments have been drawn on the page.
+    kept: bool,
     new_frame_necessary: bool,
     pages: u32,
     begun: bool,
@@ -101,6 +103,7 @@ impl Workstation {
             pending: false,
             empty: true,
             loose: false,
+            kept: false,
             new_frame_necessary: false,
             pages: 0,
             begun: false,
@@ -135,6 +138,7 @@ impl Workstation {
     /// background shows on the next page unless the current one is empty.
     pub fn represent(&mut self, record: &Record<'_>) -> Result<(), DeviceError> {
         let tables = &mut self.tables;
+        let mut at_once = false;
         match *record {
             Record::LineRepresentation(index, bundle) => {
                 tables.lines.insert(index, bundle);
@@ -156,10 +160,14 @@ impl Workstation {
                 if self.begun
                     && let Some(buffer) = self.backend.device().and_then(|device| device.frame_buffer())
                 {
-                    buffer.set_colour(index, colour);
+                    at_once = buffer.set_colour(index, colour);
                 }
             }
             _ => debug_assert!(false, "{record:?} changes no table"),
+        }
+        // Segments that are drawn already would look different.
+        if self.kept && !at_once {
+            self.invalidate();
         }
         self.control(record)
     }
@@ -216,12 +224,14 @@ impl Workstation {
         if appearance.highlighted && !self.is_recorder() {
             self.paint(item, &appearance.transformation, true)?;
         }
+        self.kept = true;
         self.paint(item, &appearance.transformation, false)?;
         self.present()
     }
 
     /// Draws a segment, over what is there.
     pub fn draw_segment(&mut self, segment: &Segment) -> Result<(), DeviceError> {
+        self.kept = true;
         let drawn = self.paint_segment(segment, &segment.appearance);
         drawn.and(self.present())
     }
@@ -322,6 +332,7 @@ impl Workstation {
         self.start_frame();
         for segment in segments.filter(|segment| segment.is_shown()) {
             // A segment that fails does not keep the others from being drawn.
+            self.kept = true;
             done = done.and(self.paint_segment(segment, &segment.appearance));
         }
         done.and(self.present())
@@ -351,6 +362,7 @@ impl Workstation {
     fn start_frame(&mut self) {
         self.empty = true;
         self.loose = false;
+        self.kept = false;
         self.new_frame_necessary = false;
         self.adopt_requested();
     }

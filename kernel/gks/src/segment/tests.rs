@@ -241,6 +241,22 @@ fn a_segment_of_the_storage_is_associated_copied_and_inserted() {
     assert_eq!(starts(&log), [(5, 30), (30, 80)]);
 }
 
+#[test]
+fn a_changed_table_makes_a_new_frame_necessary_where_segments_are_drawn() {
+    let (mut gks, _) = active(&[PLAIN, INDEXED]);
+    gks.polyline(&OTHER).unwrap();
+    gks.set_polyline_representation(1, 1, 2, 1.0, 1).unwrap();
+    assert!(!states(&gks, 1).1, "what is in no segment cannot be drawn again");
+    segment(&mut gks, 1, &LINE);
+    gks.set_colour_representation(1, 1, (1.0, 0.0, 0.0)).unwrap();
+    assert!(states(&gks, 1).1);
+    gks.set_colour_representation(2, 1, (1.0, 0.0, 0.0)).unwrap();
+    assert!(!states(&gks, 2).1, "pixels that store indices change at once");
+    gks.update_workstation(1, true).unwrap();
+    gks.set_fill_area_representation(1, 1, gks_pipeline::look::InteriorStyle::Solid, 1, 1).unwrap();
+    assert!(states(&gks, 1).1);
+}
+
 /// Redrawing a segment does the work of drawing its primitives, and no other.
 #[test]
 fn a_hundred_thousand_primitives_are_redrawn_as_they_were_drawn() {
