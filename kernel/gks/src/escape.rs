@@ -100,8 +100,9 @@ mod tests {
         assert_eq!(number(call(&mut closed(), 0, &[], &[])), 8);
         let (mut gks, _) = open(&[PLAIN]);
         assert_eq!(number(call(&mut gks, 0, &[], &[])), 181);
-        assert_eq!([-1, 1, -1391, -3006].map(|id| number(call(&mut gks, id, &[], &[]))), [180; 4]);
-        for kind in ESCAPES {
+        assert_eq!([-1, 1, -1391, -3099].map(|id| number(call(&mut gks, id, &[], &[]))), [180; 4]);
+        // Any record is good for what only readers of metafiles heed.
+        for kind in ESCAPES.iter().filter(|kind| kind.number != escape::COMPOUND_PRIMITIVE) {
             let (integers, reals) = (vec![1; kind.integers], vec![1.0; kind.reals]);
             let output = call(&mut gks, kind.number, &integers, &reals).unwrap();
             assert_eq!(output.integers.len(), kind.output_integers, "{}", kind.name);

@@ -69,7 +69,7 @@ static void surface(void)
     ginq_ws_max_nums(&error, &most);
     CHECK(error == 0 && most.simult_open == 32 && most.simult_active == 32 && most.assoc_seg == 32);
     ginq_level_gks(&error, &level);
-    CHECK(error == 0 && level == GLEVEL_2A);
+    CHECK(error == 0 && level == GLEVEL_2C);
     ginq_ws_cat(-5, &error, &category);
     CHECK(error == 22);
     ginq_ws_class(31999, &error, &class_of);

@@ -5,7 +5,7 @@ use crate::{Function, Gks, Level, Result};
 use gks_pipeline::generated::numbers;
 
 /// The level of this implementation: the greatest one that has all its functions.
-const LEVEL: Level = Level::L2a;
+const LEVEL: Level = Level::L2c;
 
 /// How many workstations there may be.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]

@@ -35,7 +35,7 @@ impl Gks {
         id: i32,
     ) -> Result<impl Iterator<Item = i32> + Clone> {
         self.inquired(Function::InquireSetOfSegmentNamesOnWorkstation, id)?;
-        Ok(self.segments.on(id).map(|segment| segment.name()))
+        Ok(self.segments.on(id).map(Segment::name))
     }
 
     /// INQUIRE SET OF ASSOCIATED WORKSTATIONS of a segment: their identifiers, in increasing order.

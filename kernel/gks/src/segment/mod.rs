@@ -146,7 +146,11 @@ impl Gks {
 
     /// Tells the metafiles among the workstations of a segment.
     fn record(&mut self, function: Function, name: i32, record: &Record<'_>) -> Result<()> {
-        self.of_segment(name).into_iter().fold(Ok(()), |done, id| done.and(self.tell(function, id, record)))
+        let mut done = Ok(());
+        for id in self.of_segment(name) {
+            done = done.and(self.tell(function, id, record));
+        }
+        done
     }
 
     /// Tells a workstation, if it is a metafile that is written.

@@ -68,14 +68,17 @@ impl Gks {
         let Some(segment) = self.segments.get(name) else { return Ok(()) };
         let map = segment.appearance.transformation.then(&Map::from_rows(matrix));
         let inserted = segment.recording.mapped(&map, self.normalization.clip);
-        inserted.iter().fold(Ok(()), |done, item| {
+        let mut done = Ok(());
+        for item in &inserted {
             let target = Target {
                 workstations: &mut self.workstations,
                 segments: &mut self.segments,
                 open_segment: self.open_segment,
             };
-            done.and(target.draw(F, &item))
-        })
+            // A device that fails does not keep the others from drawing.
+            done = done.and(target.draw(F, &item));
+        }
+        done
     }
 
     /// The workstation that is segment storage. Error: 27.
