@@ -1,6 +1,7 @@
 //! What the tests share that look at the system from outside.
 
 pub mod folder;
+pub mod likeness;
 #[path = "../pictures/mod.rs"]
 pub mod pictures;
 pub mod program;
