@@ -25,18 +25,23 @@ pub fn repository() -> &'static Path {
 pub fn library() -> &'static Path {
     static FOLDER: OnceLock<PathBuf> = OnceLock::new();
     FOLDER.get_or_init(|| {
-        let built = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-            .args(["build", "--quiet", "--package", "libgks", "--message-format", "json"])
-            .current_dir(repository())
-            .output()
-            .expect("cargo runs");
-        assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
-        // The report of cargo names the files of each package that it built or found up to date.
-        let report = String::from_utf8_lossy(&built.stdout);
-        let mut files = report.split('"').filter(|word| word.ends_with("/libgks.a"));
-        let file = files.next_back().expect("cargo reports the library");
-        Path::new(file).parent().expect("the library lies in a folder").to_owned()
+        let file = built("libgks", "libgks.a");
+        file.parent().expect("the library lies in a folder").to_owned()
     })
+}
+
+/// A library of a package, which is built if it is not up to date.
+pub fn built(package: &str, library: &str) -> PathBuf {
+    let built = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+        .args(["build", "--quiet", "--package", package, "--message-format", "json"])
+        .current_dir(repository())
+        .output()
+        .expect("cargo runs");
+    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    // The report of cargo names the files of each package that it built or found up to date.
+    let report = String::from_utf8_lossy(&built.stdout);
+    let mut files = report.split('"').filter(|word| word.ends_with(&format!("/{library}")));
+    PathBuf::from(files.next_back().expect("cargo reports the library"))
 }
 
 /// Whether there is a compiler; says loudly if there is none.

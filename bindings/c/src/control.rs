@@ -68,7 +68,10 @@ extern "C" fn gclear_ws(ws_id: Gint, ctrl_flag: Gint) {
 #[unsafe(no_mangle)]
 extern "C" fn gupd_ws(ws_id: Gint, upd_regen_flag: Gint) {
     const F: Function = Function::UpdateWorkstation;
-    call(F, |gks| gks.update_workstation(ws_id, flag(F, upd_regen_flag)?));
+    gks_instance::call_instance(F, report, |instance| {
+        gks_instance::check_state(&instance.gks, F)?;
+        instance.update_workstation(ws_id, flag(F, upd_regen_flag)?)
+    });
 }
 
 /// SET DEFERRAL STATE.

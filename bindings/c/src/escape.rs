@@ -39,7 +39,9 @@ fn ncar(func_id: Gint, in_data: In<Gint>) -> bool {
     }
     let known = gks_instance::call_instance(F, report, |instance| {
         gks_instance::check_state(&instance.gks, F)?;
-        let record = in_data.cast::<Gdata>().get();
+        // The records of other identifiers have other types, some of them private to HLU.
+        let is_name = func_id == gks_instance::NCAR_METAFILE_NAME;
+        let record = if is_name { in_data.cast::<Gdata>().get() } else { None };
         let text = record.map_or(&[][..], |r| array(r.data.cast::<u8>(), integer(r.size)));
         Ok(instance.ncar_escape(func_id, text))
     });

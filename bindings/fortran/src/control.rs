@@ -1,7 +1,7 @@
 //! Control: opening and closing, clearing and updating, messages.
 
 use crate::argument::{Character, Integer};
-use crate::call::{call_instance, subroutines};
+use crate::call::{call_instance, check_state, subroutines};
 use crate::ncar;
 use gks::{Error, Function, OperatingState};
 use gks_instance::{ErrorFile, from_latin1};
@@ -28,6 +28,16 @@ extern "C" fn gopwk_(wkid: Integer, conid: Integer, wtype: Integer) {
     });
 }
 
+/// GUWK: UPDATE WORKSTATION.
+#[unsafe(no_mangle)]
+extern "C" fn guwk_(wkid: Integer, regfl: Integer) {
+    const F: Function = Function::UpdateWorkstation;
+    call_instance(F, |instance| {
+        check_state(&instance.gks, F)?;
+        instance.update_workstation(wkid.get(), regfl.choice(F)?)
+    });
+}
+
 /// GECLKS: EMERGENCY CLOSE GKS. It is allowed while an error is being handled, too.
 #[unsafe(no_mangle)]
 extern "C" fn geclks_() {
@@ -45,8 +55,6 @@ subroutines! {
     gdawk_(wkid: Integer) DeactivateWorkstation => |gks| gks.deactivate_workstation(wkid.get());
     gclrwk_(wkid: Integer, cofl: Integer) ClearWorkstation
         => |gks| gks.clear_workstation(wkid.get(), cofl.choice(F)?);
-    guwk_(wkid: Integer, regfl: Integer) UpdateWorkstation
-        => |gks| gks.update_workstation(wkid.get(), regfl.choice(F)?);
     gsds_(wkid: Integer, defmod: Integer, regmod: Integer) SetDeferralState
         => |gks| gks.set_deferral_state(wkid.get(), defmod.choice(F)?, regmod.choice(F)?);
     gmsg_(wkid: Integer, mess: Character, length: usize) Message

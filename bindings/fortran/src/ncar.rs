@@ -23,18 +23,19 @@ fn is_active() -> bool {
 /// constants for their lengths, but for that of saved attributes, which is read back: it is blank.
 pub(crate) fn escape(identifier: i32, idr: (Character, usize), mlodr: Integer, odr: Character) -> bool {
     const F: Function = Function::Escape;
-    if !(matches!(identifier, -1402..=-1386 | -1532..=-1510) && is_active()) {
+    if identifier >= 0 || !is_active() {
         return false;
     }
+    let mut known = true;
     call_instance(F, |instance| {
         check_state(&instance.gks, F)?;
-        instance.ncar_escape(identifier, idr.0.slice(0, idr.1));
+        known = instance.ncar_escape(identifier, idr.0.slice(0, idr.1));
         if identifier == ATTRIBUTES {
             odr.fill(mlodr.count() * LINE, b' ');
         }
         Ok(())
     });
-    true
+    known
 }
 
 /// Has messages of the utilities go to the unit of the error file, as OPEN GKS of NCAR Graphics does: the unit is

@@ -15,7 +15,7 @@ mod text;
 pub use dialect::preset_dialect;
 pub use error_file::{ErrorFile, STANDARD_OUTPUT};
 pub use gks_workstations::dialect::Dialect;
-pub use ncar::interior_style;
+pub use ncar::{NCAR_METAFILE_NAME, interior_style};
 pub use text::{from_latin1, from_utf8_or_latin1};
 
 use gks::{Error, Function, Gks};

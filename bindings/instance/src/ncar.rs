@@ -3,6 +3,7 @@
 use crate::{Dialect, Instance, with};
 use gks::Function;
 use gks_pipeline::look::InteriorStyle;
+use std::ops::RangeInclusive;
 
 /// The workstation type of a metafile.
 const METAFILE: i32 = 1;
@@ -11,7 +12,13 @@ const METAFILE: i32 = 1;
 const USUAL_NAME: &str = "gmeta";
 
 /// The ESCAPE that gives the name of the next metafile.
-const METAFILE_NAME: i32 = -1391;
+pub const NCAR_METAFILE_NAME: i32 = -1391;
+
+/// The identifiers of ESCAPE that NCAR Graphics has given out, and those that HLU uses on top of them.
+const IDENTIFIERS: RangeInclusive<i32> = -1599..=-1386;
+
+/// The error of a function that cannot be used on workstation independent segment storage.
+const IS_WISS: i32 = 36;
 
 /// The interior style in which the utilities fill the outlines of characters.
 const SOLID_TEXT: i32 = 4;
@@ -41,13 +48,22 @@ impl Instance {
     /// Takes note of an ESCAPE with one of the identifiers of NCAR Graphics, whose record is text; nothing
     /// happens for another identifier. Whether it was one. All but the name of a metafile are without effect.
     pub fn ncar_escape(&mut self, identifier: i32, record: &[u8]) -> bool {
-        if self.dialect != Dialect::Ncar || !matches!(identifier, -1402..=-1386 | -1532..=-1510) {
+        if self.dialect != Dialect::Ncar || !IDENTIFIERS.contains(&identifier) {
             return false;
         }
-        if identifier == METAFILE_NAME {
+        if identifier == NCAR_METAFILE_NAME {
             self.metafile_name = name(record);
         }
         true
+    }
+
+    /// UPDATE WORKSTATION, which NCAR Graphics allows for workstation independent segment storage: HLU updates
+    /// all workstations that are open.
+    pub fn update_workstation(&mut self, workstation: i32, perform: bool) -> gks::Result<()> {
+        match self.gks.update_workstation(workstation, perform) {
+            Err(error) if error.number == IS_WISS && self.dialect == Dialect::Ncar => Ok(()),
+            result => result,
+        }
     }
 
     /// OPEN WORKSTATION, where a metafile takes the name that a program gave before in the way of its dialect.
