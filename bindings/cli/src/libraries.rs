@@ -54,7 +54,7 @@ impl Library {
     }
 
     /// The file of the library: beside this command or in `lib` next to its folder. In a checkout it is built
-    /// first where it is not up to date.
+    /// where it is not there.
     pub fn find(&self) -> Result<PathBuf, Failure> {
         let command = env::current_exe()?;
         let folder = command.parent().ok_or("the command has no folder")?;
@@ -63,8 +63,8 @@ impl Library {
         let files = folders.iter().flatten().flat_map(|f| [f.join(self.soname), f.join(self.built)]);
         let files: Vec<PathBuf> = files.collect();
         let present = || files.iter().find(|file| file.is_file());
-        if let Some(root) = checkout(folder) {
-            build(root, folder, self.package, present().is_some())?;
+        if let Some(root) = checkout(folder).filter(|_| present().is_none()) {
+            build(root, folder, self.package, false)?;
         }
         let missing = || format!("{} is not beside this command nor in lib next to its folder", self.soname);
         Ok(present().cloned().ok_or_else(missing)?)
