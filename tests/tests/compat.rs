@@ -11,7 +11,7 @@ fn listed(path: &str) -> BTreeSet<String> {
     text.lines().map(str::to_owned).collect()
 }
 
-fn missing<'a>(needed: &'a BTreeSet<String>, library: &Binary) -> Vec<&'a String> {
+fn missing<'a>(needed: &'a BTreeSet<String>, library: &'a Binary) -> Vec<&'a String> {
     needed.difference(&library.offered).collect()
 }
 
