@@ -49,6 +49,17 @@ pub fn index(number: i32) -> i32 {
     NAMES.iter().position(|(own, _)| *own == number).map_or(1, |place| place as i32 + 1)
 }
 
+/// The font of an index, with the fonts of a list; a list that is the beginning of ours goes on as ours does.
+pub fn listed(list: &[i32], index: i32) -> i32 {
+    let Some(place) = usize::try_from(index).ok().and_then(|index| index.checked_sub(1)) else { return 1 };
+    let ours = || {
+        NAMES.get(place).filter(|_| {
+            list.len() > 1 && NAMES.iter().map(|own| own.0).zip(list).all(|(own, listed)| own == *listed)
+        })
+    };
+    list.get(place).copied().or_else(|| ours().map(|own| own.0)).unwrap_or(1)
+}
+
 /// The font that comes nearest to a name.
 pub fn number(name: &[u8]) -> i32 {
     let name = String::from_utf8_lossy(name);
@@ -85,6 +96,12 @@ mod tests {
             let place = index(own) as usize - 1;
             assert_eq!(number(names().nth(place).unwrap().as_bytes()), own);
         }
+    }
+
+    #[test]
+    fn a_list_that_is_cut_off_goes_on() {
+        assert_eq!((listed(&[1, -2, -3], 34), listed(&[1, -3], 34), listed(&[-25], 1)), (-34, 1, -25));
+        assert_eq!((listed(&[], 3), listed(&[1, -2], -1)), (1, 1));
     }
 
     #[test]

@@ -104,7 +104,7 @@ pub fn create(
     sink: Box<dyn Sink>,
     encoding: Encoding,
     coordinates: Option<Coordinates>,
-    settings: Settings,
+    mut settings: Settings,
 ) -> Box<dyn Recorder> {
     let (sink, encoder): (Box<dyn Sink>, Box<dyn Encoder>) = match encoding {
         Encoding::Binary => {
@@ -114,6 +114,7 @@ pub fn create(
         Encoding::Text => (sink, Box::new(TextEncoder::new())),
         Encoding::Character => (sink, Box::new(CharacterEncoder::new())),
         Encoding::Ncgm => {
+            settings.plain = true;
             let encoder = BinaryEncoder::new(Coordinates::Integer16, 8);
             (Box::new(ncgm::RecordSink::new(sink)), Box::new(encoder))
         }

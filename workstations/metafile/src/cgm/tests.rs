@@ -154,7 +154,13 @@ fn every_encoding_gives_back_what_was_drawn() {
             let bytes = written(encoding, coordinates);
             assert_eq!(Encoding::of(&bytes), Some(encoding));
             let (all, states) = read(&mut *open(io::Cursor::new(bytes), encoding));
-            assert_eq!(all[..10], expected, "{encoding:?}");
+            if encoding == Encoding::Ncgm {
+                // Several rings are one, curves are chords.
+                assert_eq!(all[..6], expected[..6]);
+                assert!(all[6].ends_with("[9]") && all[8].starts_with("area") && all[9].starts_with("lines"));
+            } else {
+                assert_eq!(all[..10], expected, "{encoding:?}");
+            }
             let line = states[0].look.line;
             assert_eq!((line.linetype, line.width, line.colour), (1, 3.0, 3), "{encoding:?}");
             assert_eq!(states[2].look.text.font, -26);

@@ -3,6 +3,7 @@
 use super::{Drawing, Interpreter};
 use crate::cgm::decoder::Decoder;
 use crate::cgm::element::Element;
+use crate::cgm::fonts;
 use crate::generated::elements::Kind;
 use gks_geometry::{Point, Vector};
 use gks_pipeline::font::{Layout, TextStyle, layout};
@@ -97,8 +98,7 @@ impl<D: Decoder> Interpreter<D> {
         let mapping = self.mapping();
         let text = self.context.text_look();
         let mut look = self.queue.look().clone();
-        let place = usize::try_from(text.font - 1).ok();
-        look.text.font = place.and_then(|place| self.fonts.get(place)).copied().unwrap_or(1);
+        look.text.font = fonts::listed(&self.fonts, text.font);
         look.text.precision = Precision::from_number(text.precision).unwrap_or(Precision::String);
         look.text.expansion = text.expansion;
         look.text.spacing = text.spacing;

@@ -16,6 +16,7 @@ const TOLERANCE: f64 = 1e-5;
 impl CgmRecorder {
     pub(super) fn curve(&mut self, shape: &Curve<'_, Ndc>, role: Role, look: &Look) {
         match (shape, role) {
+            _ if self.settings.plain => self.chords(shape, role, look),
             (Curve::Ellipse(e), Role::Line) if e.closure == Closure::Open && is_sound(e) => {
                 self.set_line(look);
                 self.ellipse(e);
@@ -29,13 +30,15 @@ impl CgmRecorder {
                 let points = points.iter().map(|&p| self.coordinates(p)).collect();
                 self.put(Kind::Polybezier, [Value::Integer(2), Value::Points(points)]);
             }
-            _ => {
-                let path = flattened(shape);
-                match role {
-                    Role::Line => self.lines(path.as_paths(), look),
-                    Role::Area => self.area(path.as_paths(), look),
-                }
-            }
+            _ => self.chords(shape, role, look),
+        }
+    }
+
+    fn chords(&mut self, shape: &Curve<'_, Ndc>, role: Role, look: &Look) {
+        let path = flattened(shape);
+        match role {
+            Role::Line => self.lines(path.as_paths(), look),
+            Role::Area => self.area(path.as_paths(), look),
         }
     }
 

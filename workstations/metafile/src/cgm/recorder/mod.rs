@@ -34,11 +34,17 @@ pub struct Settings {
     pub version: u8,
     /// Width and height of the display surface, in metres.
     pub size: (f64, f64),
+    /// Whether to write lines, markers, text, polygons and cells only, as NCAR's readers know them, and no more
+    /// fonts than they do.
+    pub plain: bool,
 }
+
+/// The most fonts that NCAR's readers know.
+const PLAIN_FONTS: usize = 20;
 
 impl Default for Settings {
     fn default() -> Self {
-        Settings { version: 1, size: (1.0, 1.0) }
+        Settings { version: 1, size: (1.0, 1.0), plain: false }
     }
 }
 
@@ -148,7 +154,8 @@ impl CgmRecorder {
         }
         let most = self.encoder.most_colour();
         self.put(Kind::MaximumColourIndex, [Value::Ink(Ink::Index(most))]);
-        self.put(Kind::FontList, fonts::names().map(text).collect::<Vec<_>>());
+        let count = if self.settings.plain { PLAIN_FONTS } else { usize::MAX };
+        self.put(Kind::FontList, fonts::names().take(count).map(text).collect::<Vec<_>>());
         let coordinates = self.encoder.coordinate_precisions();
         if !coordinates.is_empty() {
             self.put(Kind::BeginMetafileDefaultsReplacement, []);

@@ -75,6 +75,18 @@ impl CgmRecorder {
                 let points = self.points(ring);
                 self.put(Kind::Polygon, [Value::Points(points)]);
             }
+            // One ring that goes to each of the others and back, along lines without width.
+            [first, others @ ..] if self.settings.plain => {
+                let mut points = self.points(first);
+                let start = points.first().copied();
+                for ring in others {
+                    let ring = self.points(ring);
+                    points.extend(start);
+                    points.extend(ring.iter().chain(ring.first()));
+                }
+                points.extend(start);
+                self.put(Kind::Polygon, [Value::Points(points)]);
+            }
             rings => {
                 let mut values = Vec::new();
                 for ring in rings {
