@@ -11,6 +11,8 @@ use crate::postscript::{self, PostScript};
 use crate::raster::{self, Format, Indexed, SizeError, TrueColour};
 use crate::scripted::{self, Scripted};
 use crate::svg::{self, Svg};
+use gks_metafile::cgm::recorder::Settings;
+use gks_metafile::cgm::{self, Encoding};
 use gks_metafile::gksm;
 use gks_pipeline::description::{Category, Description};
 use gks_pipeline::device::{Device, Sink};
@@ -21,9 +23,21 @@ use gks_pipeline::workstation::Backend;
 pub(crate) fn category(kind: &WorkstationType) -> Category {
     match kind.number {
         own::GKSM => Category::MetafileOutput,
+        number if encoding(number).is_some() => Category::MetafileOutput,
         own::MI => Category::MetafileInput,
         _ => Category::Output,
     }
+}
+
+/// How the metafiles of a type are encoded that writes CGM.
+fn encoding(number: i32) -> Option<Encoding> {
+    Some(match number {
+        own::CGM => Encoding::Binary,
+        own::CGM_TEXT => Encoding::Text,
+        own::CGM_CHARACTER => Encoding::Character,
+        own::NCGM => Encoding::Ncgm,
+        _ => return None,
+    })
 }
 
 /// What sizes of display surfaces a type accepts, and in which unit.
@@ -54,7 +68,7 @@ pub(crate) fn describe(kind: &WorkstationType, options: &Options) -> Result<Desc
             let storage = raster::true_colour(number, name, &Options::default());
             storage.map(|d| Description { category: Category::Wiss, ..d }).map_err(|error| error.to_string())
         }
-        own::GKSM | own::MI => {
+        own::GKSM | own::MI | own::CGM | own::CGM_TEXT | own::CGM_CHARACTER | own::NCGM => {
             metafile::describe(number, name, category(kind), options).map_err(|error| error.to_string())
         }
         _ if interactive::is_interactive(kind) => interactive::describe(kind, options),
@@ -68,12 +82,17 @@ pub(crate) fn open(
     options: &Options,
     sink: Option<Box<dyn Sink>>,
 ) -> Result<Backend, String> {
-    match (kind.number, sink) {
-        (own::GKSM, Some(sink)) => {
+    match (kind.number, sink, encoding(kind.number)) {
+        (_, Some(sink), Some(encoding)) => {
+            let size = describe(kind, options)?.size();
+            let settings = Settings { version: options.version.unwrap_or(1), size, plain: false };
+            Ok(Backend::Recorder(cgm::create(sink, encoding, options.coordinates, settings)))
+        }
+        (own::GKSM, Some(sink), _) => {
             let writer = gksm::Writer::new(sink, options.coding.unwrap_or_default());
             Ok(Backend::Recorder(Box::new(writer)))
         }
-        (_, sink) => device(kind, options, sink).map(Backend::Device),
+        (_, sink, _) => device(kind, options, sink).map(Backend::Device),
     }
 }
 

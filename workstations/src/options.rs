@@ -3,6 +3,7 @@
 //! Options are written as a list of `name=value` after a connection identifier, `out.png?size=1600x1200&dpi=300`,
 //! or in the environment. `&` or `,` separates them.
 
+use gks_metafile::cgm::encoder::Coordinates;
 use gks_metafile::gksm::Coding;
 use gks_pipeline::colour::Colour;
 use gks_pipeline::record::item::Convention;
@@ -31,6 +32,10 @@ pub struct Options {
     pub quality: Option<u8>,
     /// How numbers are coded in a metafile of GKS that is written.
     pub coding: Option<Coding>,
+    /// The version of a CGM that is written.
+    pub version: Option<u8>,
+    /// How coordinates are coded in a binary CGM that is written.
+    pub coordinates: Option<Coordinates>,
     /// How items that authors code differently are read in a metafile of GKS, whatever its header says.
     pub items: Option<Convention>,
     /// Whether the last picture of a window stays when the workstation is closed.
@@ -63,7 +68,8 @@ pub enum OptionError {
 }
 
 const NAMES: &str =
-    "size, dpi, landscape, background, antialias, outlines, quality, script, coding, items, keep, port, open";
+    "size, dpi, landscape, background, antialias, outlines, quality, script, coding, items, keep, port, open, \
+     version, vdc";
 
 /// The sizes of display surfaces that a kind of device accepts.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -124,6 +130,21 @@ impl Options {
                 let quality: Option<u8> = value.parse().ok().filter(|q| (1..=100).contains(q));
                 self.quality =
                     Some(quality.ok_or_else(|| refused("quality", value, "a whole number from 1 to 100"))?);
+            }
+            "version" => {
+                self.version = Some(match value {
+                    "1" => 1,
+                    "3" => 3,
+                    _ => return Err(refused("version", value, "1 or 3")),
+                });
+            }
+            "vdc" => {
+                self.coordinates = Some(match value {
+                    "integer16" => Coordinates::Integer16,
+                    "integer" => Coordinates::Integer32,
+                    "real" => Coordinates::Real,
+                    _ => return Err(refused("vdc", value, "integer16, integer or real")),
+                });
             }
             "coding" => {
                 self.coding = Some(match value {
@@ -235,7 +256,8 @@ mod tests {
     #[test]
     fn all_options_are_read() {
         let list = "size=1600x1200&dpi=300&landscape=1&background=#ff8000&antialias=0&outlines=1&quality=90&\
-                    script=in/a.script&coding=formatted&items=xgks&keep=1&port=8080&open=1";
+                    script=in/a.script&coding=formatted&items=xgks&keep=1&port=8080&open=1&\
+                    version=3&vdc=real";
         let expected = Options {
             size: Some((1600.0, 1200.0)),
             dpi: Some(300.0),
@@ -247,6 +269,8 @@ mod tests {
             script: Some("in/a.script".to_owned()),
             quality: Some(90),
             coding: Some(Coding::Formatted),
+            version: Some(3),
+            coordinates: Some(Coordinates::Real),
             items: Some(Convention::Xgks),
             keep: Some(true),
             port: Some(8080),
@@ -285,13 +309,15 @@ mod tests {
             message("colour=red"),
             "there is no option \"colour\"; the options are size, dpi, landscape, background, antialias, \
              outlines, quality, script, coding, items, keep, \
-             port, open"
+             port, open, version, vdc"
         );
         assert_eq!(message("dpi"), "option \"dpi\" has no value; write dpi=value");
         assert_eq!(message("dpi=0.5"), "option dpi=0.5: expected a number from 1 to 10000");
         assert_eq!(message("dpi=NaN"), "option dpi=NaN: expected a number from 1 to 10000");
         assert_eq!(message("landscape=maybe"), "option landscape=maybe: expected 1 or 0");
         assert_eq!(message("quality=101"), "option quality=101: expected a whole number from 1 to 100");
+        assert_eq!(message("version=2"), "option version=2: expected 1 or 3");
+        assert_eq!(message("vdc=float"), "option vdc=float: expected integer16, integer or real");
         assert_eq!(message("coding=text"), "option coding=text: expected binary or formatted");
         assert_eq!(message("items=gks"), "option items=gks: expected ral or xgks");
         assert_eq!(message("port=65536"), "option port=65536: expected a number from 0 to 65535");

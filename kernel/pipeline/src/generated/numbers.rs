@@ -301,6 +301,14 @@ pub mod workstation_type {
     pub const GKSM: i32 = 2;
     /// Metafile of any format, read.
     pub const MI: i32 = 3;
+    /// Computer Graphics Metafile, binary.
+    pub const CGM: i32 = 400;
+    /// Computer Graphics Metafile, clear text.
+    pub const CGM_TEXT: i32 = 401;
+    /// Computer Graphics Metafile, character encoding.
+    pub const CGM_CHARACTER: i32 = 402;
+    /// Computer Graphics Metafile in the records of NCAR.
+    pub const NCGM: i32 = 403;
     /// Accepts everything and draws nothing.
     pub const NULL: i32 = 900;
 }
@@ -332,6 +340,10 @@ pub static WORKSTATION_TYPES: &[WorkstationType] = &[
     WorkstationType { number: 530, name: "scripted", extension: "png", colours: 65536, meaning: "PNG image, if a file is named, with input from a script" },
     WorkstationType { number: 2, name: "gksm", extension: "gksm", colours: 65536, meaning: "metafile of GKS (GKSM), written" },
     WorkstationType { number: 3, name: "mi", extension: "", colours: 65536, meaning: "metafile of any format, read" },
+    WorkstationType { number: 400, name: "cgm", extension: "cgm", colours: 65536, meaning: "Computer Graphics Metafile, binary" },
+    WorkstationType { number: 401, name: "cgm-text", extension: "cgmt", colours: 65536, meaning: "Computer Graphics Metafile, clear text" },
+    WorkstationType { number: 402, name: "cgm-character", extension: "cgmc", colours: 65536, meaning: "Computer Graphics Metafile, character encoding" },
+    WorkstationType { number: 403, name: "ncgm", extension: "ncgm", colours: 65536, meaning: "Computer Graphics Metafile in the records of NCAR" },
     WorkstationType { number: 900, name: "null", extension: "", colours: 65536, meaning: "accepts everything and draws nothing" },
 ];
 
