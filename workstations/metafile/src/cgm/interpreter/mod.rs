@@ -53,6 +53,9 @@ pub struct Interpreter<D> {
     /// The mapping of the picture; none outside of a picture body.
     mapping: Option<Mapping>,
     window: Option<Rect<Ndc>>,
+    /// Whether entry 0 of a colour table is the background if nothing has been drawn yet, as with NCAR.
+    zero_is_background: bool,
+    drawn: bool,
     /// Our numbers of the fonts of the font list.
     fonts: Vec<i32>,
     text: Option<PendingText>,
@@ -76,6 +79,8 @@ impl<D: Decoder> Interpreter<D> {
             patterns: BTreeMap::new(),
             mapping: None,
             window: None,
+            zero_is_background: false,
+            drawn: false,
             fonts: Vec::new(),
             text: None,
             figure: None,
@@ -99,6 +104,14 @@ impl<D: Decoder> Interpreter<D> {
             }
         }
         if self.context.apply(element) {
+            if element.kind == Kind::ColourTable
+                && self.zero_is_background
+                && self.mapping.is_some()
+                && !self.drawn
+                && let Some(&background) = self.context.colours.get(&0)
+            {
+                self.palette.set_background(background, &mut self.queue);
+            }
             return;
         }
         let known = self.delimiter(element) || self.descriptor(element) || self.primitive(element);
@@ -117,7 +130,7 @@ impl<D: Decoder> Interpreter<D> {
             Kind::BeginPicture => {
                 self.context = self.defaults.get_or_insert_with(|| self.context.clone()).clone();
                 self.saved.clear();
-                self.mapping = None;
+                (self.mapping, self.drawn) = (None, false);
                 self.queue.push(Entry::Clear);
             }
             Kind::BeginPictureBody => {
@@ -163,6 +176,9 @@ impl<D: Decoder> Interpreter<D> {
                 let names = (0..element.values.len()).filter_map(|place| element.bytes(place));
                 self.fonts = names.map(fonts::number).collect();
             }
+            Kind::MetafileDescription => {
+                self.zero_is_background = element.bytes(0).is_some_and(|text| text.starts_with(b"NCAR"));
+            }
             Kind::Message => {
                 if let Some(bytes) = element.bytes(1) {
                     self.queue.push(Entry::Message(text::decoded(bytes)));
@@ -176,7 +192,6 @@ impl<D: Decoder> Interpreter<D> {
             // What only says how elements are coded, or nothing about the picture.
             Kind::NoOp
             | Kind::MetafileVersion
-            | Kind::MetafileDescription
             | Kind::MetafileElementList
             | Kind::BeginMetafileDefaultsReplacement
             | Kind::EndMetafileDefaultsReplacement
@@ -258,6 +273,7 @@ impl<D: Decoder> Interpreter<D> {
             }
             _ => mapping.window,
         };
+        self.drawn = true;
         self.queue.draw(drawing, look, clip);
     }
 

@@ -41,6 +41,11 @@ impl Palette {
     pub(super) fn begin_picture(&mut self, background: Colour, queue: &mut Queue) {
         self.direct.clear();
         self.next = 0;
+        self.set_background(background, queue);
+    }
+
+    /// Gives the picture another background, before anything is drawn in it.
+    pub(super) fn set_background(&mut self, background: Colour, queue: &mut Queue) {
         self.background = background;
         self.tell(0, background, queue);
     }
