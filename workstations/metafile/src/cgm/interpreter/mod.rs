@@ -269,7 +269,9 @@ impl<D: Decoder> Interpreter<D> {
         let clip = match self.context.clip {
             Some((first, second)) if self.context.clipping => {
                 let rect = mapping.rect(first, second);
-                rect.intersection(&mapping.window).unwrap_or(Rect::new(2.0, 2.0, 2.0, 2.0))
+                // Nothing is to be seen where nothing is left.
+                let Some(part) = rect.intersection(&mapping.window).filter(Rect::is_proper) else { return };
+                part
             }
             _ => mapping.window,
         };

@@ -5,12 +5,13 @@
 //! the whole display surface in NDC under the workstation transformation, so that a viewport keeps its place; what is
 //! drawn is clipped to the workstation window. A new window or viewport takes effect with the next picture.
 //!
-//! Segments are written through: their primitives appear in the picture in which they are created. A picture in which
-//! nothing is drawn is not written, unless it would be the only one.
+//! Segments are drawn when their picture ends, as they are to be seen then; highlighting is not. A picture in which nothing
+//! is drawn is not written, unless it would be the only one.
 
 mod attributes;
 mod curve;
 mod primitive;
+mod segment;
 
 use super::element::{Element, Ink, Value};
 use super::encoder::{Encoder, Grid};
@@ -25,6 +26,7 @@ use gks_pipeline::record::{Record, Recorder};
 use gks_pipeline::tables::{Pattern, Tables};
 use gks_pipeline::workstation::WorkstationTransformation;
 use glam::DVec2;
+use segment::Segments;
 use std::collections::BTreeMap;
 
 /// What a metafile is to hold.
@@ -81,6 +83,7 @@ pub struct CgmRecorder {
     patterns: BTreeMap<i32, Pattern>,
     /// Indices that stand for those the metafile has no room for.
     stand_ins: BTreeMap<u32, u32>,
+    segments: Segments,
     out: Vec<u8>,
 }
 
@@ -109,6 +112,7 @@ impl CgmRecorder {
             clip: None,
             patterns: BTreeMap::new(),
             stand_ins: BTreeMap::new(),
+            segments: Segments::default(),
             out: Vec::new(),
         }
     }
@@ -209,10 +213,30 @@ impl CgmRecorder {
         }
     }
 
-    fn end_picture(&mut self) {
+    fn end_picture(&mut self) -> Result<(), DeviceError> {
+        self.draw_segments()?;
         if std::mem::take(&mut self.open) {
             self.put(Kind::EndPicture, []);
         }
+        Ok(())
+    }
+
+    /// Writes a primitive unless it is clipped away.
+    fn write(&mut self, item: &Item<'_>) -> Result<(), DeviceError> {
+        self.begin_picture()?;
+        let Some(clip) = item.clip.intersection(&self.current.window).filter(Rect::is_proper) else {
+            return Ok(());
+        };
+        self.set_clip(clip);
+        match item.shape {
+            Shape::Polyline(paths) => self.lines(paths, item.look),
+            Shape::Polymarker(points) => self.markers(points, item.look),
+            Shape::Text(at, text) => self.text(at, text, item.look),
+            Shape::FillArea(rings) => self.area(rings, item.look),
+            Shape::CellArray(place, cells) => self.cells(&place, &cells),
+            Shape::Generalized(curve, role) => self.curve(&curve, role, item.look),
+        }
+        self.flush(1 << 16)
     }
 
     /// The display surface in NDC, under the transformation of the picture.
@@ -276,10 +300,7 @@ impl CgmRecorder {
             return;
         }
         self.clip = Some(clip);
-        // Where nothing is left, a corner is.
-        let window = self.current.window;
-        let part = clip.intersection(&window).unwrap_or(Rect { min: window.min, max: window.min });
-        let corners = [part.min, part.max].map(|corner: Point<Ndc>| self.coordinates(corner.0));
+        let corners = [clip.min, clip.max].map(|corner: Point<Ndc>| self.coordinates(corner.0));
         self.set(Kind::ClipRectangle, corners.map(Value::Point));
         self.set(Kind::ClipIndicator, [Value::Integer(1)]);
     }
@@ -298,23 +319,14 @@ fn nearest(tables: &Tables, most: u32, colour: Colour) -> u32 {
 
 impl Recorder for CgmRecorder {
     fn draw(&mut self, item: &Item<'_>) -> Result<(), DeviceError> {
-        self.begin_picture()?;
-        self.set_clip(item.clip);
-        match item.shape {
-            Shape::Polyline(paths) => self.lines(paths, item.look),
-            Shape::Polymarker(points) => self.markers(points, item.look),
-            Shape::Text(at, text) => self.text(at, text, item.look),
-            Shape::FillArea(rings) => self.area(rings, item.look),
-            Shape::CellArray(place, cells) => self.cells(&place, &cells),
-            Shape::Generalized(curve, role) => self.curve(&curve, role, item.look),
-        }
-        self.flush(1 << 16)
+        if self.segments.keep(item) { Ok(()) } else { self.write(item) }
     }
 
     fn control(&mut self, record: &Record<'_>) -> Result<(), DeviceError> {
         match record {
             Record::Clear { .. } => {
-                self.end_picture();
+                self.end_picture()?;
+                self.segments.clear();
                 self.current = self.requested;
             }
             Record::ColourRepresentation(index, colour) => self.set_colour(*index, *colour),
@@ -346,7 +358,7 @@ impl Recorder for CgmRecorder {
                 self.begin_metafile()?;
                 self.put(Kind::ApplicationData, [Value::Integer(*kind), Value::Data(data.to_vec())]);
             }
-            _ => {}
+            other => self.segments.control(other),
         }
         // Whatever a table says may change what attributes are resolved to.
         self.looks = Default::default();
@@ -357,7 +369,7 @@ impl Recorder for CgmRecorder {
         if self.pictures == 0 {
             self.begin_picture()?;
         }
-        self.end_picture();
+        self.end_picture()?;
         self.put(Kind::EndMetafile, []);
         self.flush(0)?;
         self.sink.finish()?;
