@@ -87,7 +87,9 @@ fn round_trip(picture: &Picture, kind: i32, options: &str, allowed: u32) -> Resu
 
 /// CGM has neither opacity nor highlighting. Known fault: in segment-storage 171 of 10000 pixels still differ.
 fn opaque() -> impl Iterator<Item = &'static Picture> {
-    let beyond = |name: &str| ["opacity", "demo-gks", "highlighted", "segment-storage"].iter().any(|part| name.contains(part));
+    let beyond = |name: &str| {
+        ["opacity", "demo-gks", "highlighted", "segment-storage"].iter().any(|part| name.contains(part))
+    };
     PICTURES.iter().filter(move |picture| !beyond(picture.name))
 }
 

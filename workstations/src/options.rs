@@ -67,8 +67,7 @@ pub enum OptionError {
     },
 }
 
-const NAMES: &str =
-    "size, dpi, landscape, background, antialias, outlines, quality, script, coding, items, keep, port, open, \
+const NAMES: &str = "size, dpi, landscape, background, antialias, outlines, quality, script, coding, items, keep, port, open, \
      version, vdc";
 
 /// The sizes of display surfaces that a kind of device accepts.
