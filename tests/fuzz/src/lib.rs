@@ -8,9 +8,17 @@ pub mod arguments;
 pub mod calls;
 #[rustfmt::skip]
 mod generated;
+pub mod metafiles;
 
 /// A target: its name, which is also that of the directory of its corpus, and what it does with bytes.
 pub type Target = (&'static str, fn(&[u8]));
 
 /// Every target.
-pub const TARGETS: &[Target] = &[("calls", calls::run)];
+pub const TARGETS: &[Target] = &[
+    ("calls", calls::run),
+    ("gksm", metafiles::gksm),
+    ("cgm_binary", metafiles::cgm_binary),
+    ("cgm_text", metafiles::cgm_text),
+    ("cgm_character", metafiles::cgm_character),
+    ("ncgm", metafiles::ncgm),
+];
