@@ -45,7 +45,7 @@ impl Info {
                 self.primitives += 1;
                 match shape {
                     Shape::Polyline(paths) | Shape::FillArea(paths) => {
-                        self.points += paths.points.len() as u64
+                        self.points += paths.points.len() as u64;
                     }
                     Shape::Polymarker(positions) => self.points += positions.len() as u64,
                     Shape::Text(..) => {
