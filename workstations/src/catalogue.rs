@@ -100,7 +100,7 @@ impl Drivers {
         match foreign.map(|foreign| foreign.meaning) {
             Some(Meaning::Own(own::WISS, _)) => Err(no_such_name(text)),
             Some(Meaning::Own(number, preset)) => wish(by_number(number).unwrap_or(default()), preset, None),
-            Some(Meaning::Chosen) => wish(default(), "", None),
+            Some(Meaning::Chosen | Meaning::Kept) => wish(default(), "", None),
             None => match by_text(base) {
                 Some((kind, is_file)) if kind.number != own::WISS => wish(kind, "", is_file.then_some(base)),
                 _ => Err(no_such_name(text)),
@@ -119,10 +119,13 @@ impl Drivers {
             None if self.environment.force && wish.is_some() => Meaning::Chosen,
             None => return None,
         };
+        // What is kept is no business of the user until it is written.
+        let wish = wish.filter(|_| meaning != Meaning::Kept);
         let forced = dialect != Dialect::Iso || self.environment.force;
         // Nothing that draws can stand in for what is stored or read.
         let fixed = |number: i32| matches!(number, own::WISS | own::MI);
         let (kind, preset) = match meaning {
+            Meaning::Kept => (by_number(own::NULL)?, ""),
             Meaning::Own(number, preset) if !forced || wish.is_none() || fixed(number) => {
                 (by_number(number)?, preset)
             }

@@ -24,6 +24,9 @@ pub(crate) enum Meaning {
     Chosen,
     /// A type of our own, with options.
     Own(i32, &'static str),
+    /// A picture that is kept until the program names the file that it is to be written to, whatever the user
+    /// chose.
+    Kept,
 }
 
 /// A range of numbers of a dialect with one meaning.
@@ -69,10 +72,11 @@ const NCAR: &[Foreign] = &[
     output(42, 42, own::PDF),
 ];
 
-/// XGKS, by the numbers that Ferret (2) and XGKS's own demonstration (3, 4) use in Fortran: windows and segment
-/// storage; in C its types have names instead of numbers.
+/// XGKS: its types have names, which its Fortran binding numbers in this order: MI, MO, WISS and windows. MO writes
+/// metafiles and pictures, as the name of the file says.
 const XGKS: &[Foreign] = &[
-    foreign(2, 2, Category::OutIn, Meaning::Chosen),
+    foreign(1, 1, Category::MetafileInput, Meaning::Own(own::MI, "")),
+    foreign(2, 2, Category::MetafileOutput, Meaning::Kept),
     foreign(3, 3, Category::Wiss, Meaning::Own(own::WISS, "")),
     foreign(4, 4, Category::OutIn, Meaning::Chosen),
 ];

@@ -59,7 +59,7 @@ pub(crate) fn describe(kind: &WorkstationType, options: &Options) -> Result<Desc
         own::SVG | own::SVG_OUTLINES => Ok(svg::describe(number, name, options)),
         own::PDF => Ok(pdf::describe(number, name, options)),
         own::PS | own::EPS => Ok(postscript::describe(number, name, options)),
-        own::PNG | own::JPEG | own::TIFF | own::BMP | own::WEBP | own::FRAMEBUFFER | own::NULL => {
+        own::PNG | own::JPEG | own::TIFF | own::BMP | own::WEBP | own::GIF | own::FRAMEBUFFER | own::NULL => {
             raster::true_colour(number, name, options).map_err(|error| error.to_string())
         }
         own::SCRIPTED => scripted::describe(number, name, options).map_err(|error| error.to_string()),
@@ -107,6 +107,7 @@ fn device(
         own::TIFF => Some(Format::Tiff),
         own::BMP => Some(Format::Bmp),
         own::WEBP => Some(Format::Webp),
+        own::GIF => Some(Format::Gif),
         _ => None,
     };
     let refused = |error: SizeError| error.to_string();

@@ -2,7 +2,7 @@
 
 use crate::argument::{Character, Integer};
 use crate::call::{call_instance, check_state, subroutines};
-use crate::ncar;
+use crate::{ncar, xgks};
 use gks::{Error, Function, OperatingState};
 use gks_instance::{ErrorFile, from_latin1};
 
@@ -16,7 +16,7 @@ extern "C" fn gopks_(errfil: Integer, _bufa: Integer) {
             return Err(Error::new(200, F).because(format!("unit {unit}")));
         }
         ncar::share_error_unit(instance.dialect, unit);
-        instance.open_gks(ErrorFile::from_unit(unit))
+        instance.open_gks(xgks::error_file(instance, unit).unwrap_or_else(|| ErrorFile::from_unit(unit)))
     });
 }
 
@@ -24,7 +24,9 @@ extern "C" fn gopks_(errfil: Integer, _bufa: Integer) {
 #[unsafe(no_mangle)]
 extern "C" fn gopwk_(wkid: Integer, conid: Integer, wtype: Integer) {
     call_instance(Function::OpenWorkstation, |instance| {
-        instance.open_workstation(wkid.get(), &conid.get().to_string(), wtype.get())
+        let (conid, wtype) = (conid.get(), wtype.get());
+        let name = xgks::connection(instance, conid, wtype).unwrap_or_else(|| conid.to_string());
+        instance.open_workstation(wkid.get(), &name, wtype)
     });
 }
 
@@ -41,20 +43,33 @@ extern "C" fn guwk_(wkid: Integer, regfl: Integer) {
 /// GECLKS: EMERGENCY CLOSE GKS. It is allowed while an error is being handled, too.
 #[unsafe(no_mangle)]
 extern "C" fn geclks_() {
-    // It is run as an inquiry because it reports nothing.
-    let _ = gks_instance::inquire(Function::EmergencyCloseGks, |gks| {
-        gks.emergency_close_gks();
-        Ok(())
+    gks_instance::emergency_close_gks();
+}
+
+/// GCLWK: CLOSE WORKSTATION.
+#[unsafe(no_mangle)]
+extern "C" fn gclwk_(wkid: Integer) {
+    const F: Function = Function::CloseWorkstation;
+    call_instance(F, |instance| {
+        check_state(&instance.gks, F)?;
+        instance.close_workstation(wkid.get())
+    });
+}
+
+/// GCLRWK: CLEAR WORKSTATION.
+#[unsafe(no_mangle)]
+extern "C" fn gclrwk_(wkid: Integer, cofl: Integer) {
+    const F: Function = Function::ClearWorkstation;
+    call_instance(F, |instance| {
+        check_state(&instance.gks, F)?;
+        instance.clear_workstation(wkid.get(), cofl.choice(F)?)
     });
 }
 
 subroutines! {
     gclks_() CloseGks => gks::Gks::close_gks;
-    gclwk_(wkid: Integer) CloseWorkstation => |gks| gks.close_workstation(wkid.get());
     gacwk_(wkid: Integer) ActivateWorkstation => |gks| gks.activate_workstation(wkid.get());
     gdawk_(wkid: Integer) DeactivateWorkstation => |gks| gks.deactivate_workstation(wkid.get());
-    gclrwk_(wkid: Integer, cofl: Integer) ClearWorkstation
-        => |gks| gks.clear_workstation(wkid.get(), cofl.choice(F)?);
     gsds_(wkid: Integer, defmod: Integer, regmod: Integer) SetDeferralState
         => |gks| gks.set_deferral_state(wkid.get(), defmod.choice(F)?, regmod.choice(F)?);
     gmsg_(wkid: Integer, mess: Character, length: usize) Message

@@ -32,3 +32,4 @@ mod output;
 mod representation;
 mod segment;
 mod transformation;
+mod xgks;

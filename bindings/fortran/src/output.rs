@@ -3,7 +3,7 @@
 use crate::argument::{Character, Integer, Real, integer};
 use crate::call::{call, subroutines};
 use crate::data_record::lines;
-use crate::ncar;
+use crate::{ncar, xgks};
 use gks::{DataRecord, Error, Function, Points};
 use gks_instance::from_latin1;
 
@@ -15,20 +15,34 @@ subroutines! {
         => |gks| gks.text((px.real(), py.real()), &from_latin1(chars.slice(0, length)));
     gtxs_(px: Real, py: Real, lstr: Integer, chars: Character, length: usize) Text
         => |gks| gks.text((px.real(), py.real()), &from_latin1(chars.slice(0, length.min(lstr.count()))));
-    gca_(
-        px: Real, py: Real, qx: Real, qy: Real,
-        dimx: Integer, dimy: Integer, isc: Integer, isr: Integer, dx: Integer, dy: Integer, colia: Integer,
-    ) CellArray => |gks| {
-        let part = Part::new([dimx, dimy], [isc, isr], [dx, dy]);
-        let (p, q) = ((px.real(), py.real()), (qx.real(), qy.real()));
-        gks.cell_array_of(p, q, part.cells(colia), part.columns, part.rows, part.stride)
-    };
     ggdp_(n: Integer, pxa: Real, pya: Real, primid: Integer, ldr: Integer, datrec: Character, _length: usize)
         GeneralizedDrawingPrimitive => |gks| {
             // No primitive of this library takes a record; programs hand over what was never packed.
             let record = DataRecord::unpack(lines(ldr, datrec)).unwrap_or_default();
             gks.generalized_drawing_primitive(points(n, pxa, pya), primid.get(), &record)
         };
+}
+
+/// GCA: CELL ARRAY.
+#[unsafe(no_mangle)]
+extern "C" fn gca_(
+    px: Real,
+    py: Real,
+    qx: Real,
+    qy: Real,
+    dimx: Integer,
+    dimy: Integer,
+    isc: Integer,
+    isr: Integer,
+    dx: Integer,
+    dy: Integer,
+    colia: Integer,
+) {
+    let part = Part::new([dimx, dimy], [isc, isr], [dx, dy]);
+    let (p, q) = xgks::corners((px.real(), py.real()), (qx.real(), qy.real()));
+    call(Function::CellArray, |gks| {
+        gks.cell_array_of(p, q, part.cells(colia), part.columns, part.rows, part.stride)
+    });
 }
 
 fn points<'a>(n: Integer, pxa: Real, pya: Real) -> Points<'a> {

@@ -11,14 +11,19 @@ mod error_file;
 mod exit;
 mod ncar;
 mod text;
+mod unit;
+mod xgks;
 
 pub use dialect::preset_dialect;
 pub use error_file::{ErrorFile, STANDARD_OUTPUT};
 pub use gks_workstations::dialect::Dialect;
 pub use ncar::{NCAR_METAFILE_NAME, interior_style};
 pub use text::{from_latin1, from_utf8_or_latin1};
+pub use unit::file_of_unit;
+pub use xgks::KeptPicture;
 
 use gks::{Error, Function, Gks};
+use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -32,6 +37,8 @@ pub struct Instance {
     pub dialect: Dialect,
     /// The name of the next metafile, where a dialect has programs give it before OPEN WORKSTATION.
     pub metafile_name: Option<String>,
+    /// The pictures that workstations keep to be written later, by workstation identifier.
+    pictures: BTreeMap<i32, KeptPicture>,
     /// Error state ON: an error handler is running.
     handling: bool,
     /// The error that is being handled, with its detail, for the log.
@@ -76,6 +83,7 @@ fn create() -> Box<Instance> {
         error_file: ErrorFile::Stderr,
         dialect,
         metafile_name: None,
+        pictures: BTreeMap::new(),
         handling: false,
         current: None,
     })
@@ -169,11 +177,26 @@ pub fn log(number: i32, function: i32, file: &ErrorFile) {
     file.write(&format!("GKS ERROR {number} IN {name}: {text}{detail}\n"));
 }
 
+/// EMERGENCY CLOSE GKS: completes and closes whatever is open. It reports nothing, and is allowed while an error is
+/// being handled, too.
+pub fn emergency_close_gks() {
+    let close = || {
+        with(|instance| {
+            instance.write_pictures();
+            instance.gks.emergency_close_gks();
+        });
+    };
+    let _ = catch_unwind(AssertUnwindSafe(close));
+}
+
 /// Completes whatever is open when the process ends without CLOSE GKS; does nothing if a call is under way.
 pub fn close_at_exit() {
     if let Ok(mut guard) = INSTANCE.try_lock()
         && let Some(instance) = guard.as_mut()
     {
-        let _ = catch_unwind(AssertUnwindSafe(|| instance.gks.emergency_close_gks()));
+        let _ = catch_unwind(AssertUnwindSafe(|| {
+            instance.write_pictures();
+            instance.gks.emergency_close_gks();
+        }));
     }
 }

@@ -68,6 +68,9 @@ impl Instance {
 
     /// OPEN WORKSTATION, where a metafile takes the name that a program gave before in the way of its dialect.
     pub fn open_workstation(&mut self, workstation: i32, connection: &str, kind: i32) -> gks::Result<()> {
+        if self.dialect == Dialect::Xgks {
+            return self.open_xgks_workstation(workstation, connection, kind);
+        }
         if self.dialect != Dialect::Ncar || kind != METAFILE {
             return self.gks.open_workstation(workstation, connection, kind);
         }

@@ -57,14 +57,7 @@ impl Gks {
         if self.workstations.len() >= numbers::MAX_OPEN_WORKSTATIONS as usize {
             return Err(Error::new(42, F));
         }
-        let (device, description) = self.catalogue.open(kind, connection).map_err(|e| {
-            let number = match e {
-                OpenError::NoSuchType(_) => 23,
-                OpenError::Connection(..) => 21,
-                OpenError::CannotOpen(_) => 26,
-            };
-            Error::new(number, F).because(e.to_string())
-        })?;
+        let (device, description) = self.catalogue.open(kind, connection).map_err(|e| open_error(F, &e))?;
         let Defaults { substitutes, marker_scale, .. } = self.defaults;
         let tables = Tables { substitutes, marker_scale, ..Tables::predefined() };
         let input = Devices::new(&description);
@@ -280,6 +273,16 @@ impl Gks {
         suits(function, workstation.description().category)?;
         Ok(workstation)
     }
+}
+
+/// The error of a workstation that cannot be opened: 21, 23 or 26.
+pub(crate) fn open_error(function: Function, error: &OpenError) -> Error {
+    let number = match error {
+        OpenError::NoSuchType(_) => 23,
+        OpenError::Connection(..) => 21,
+        OpenError::CannotOpen(_) => 26,
+    };
+    Error::new(number, function).because(error.to_string())
 }
 
 /// Checks that a function may be used on workstations of a category.

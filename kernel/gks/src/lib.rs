@@ -4,6 +4,7 @@
 
 mod attributes;
 mod control;
+mod copy;
 mod data_record;
 mod error;
 mod escape;

@@ -84,6 +84,8 @@ pub struct Workstation {
     antialiasing: Option<bool>,
     map: Map<Ndc, Du>,
     painter: Painter,
+    /// What has been drawn since the display surface was cleared, where it is kept.
+    copied: Option<Recording>,
 }
 
 impl Workstation {
@@ -110,6 +112,7 @@ impl Workstation {
             antialiasing: None,
             map: Map::IDENTITY,
             painter: Painter::default(),
+            copied: None,
         };
         workstation.adopt_requested();
         workstation
@@ -261,6 +264,9 @@ impl Workstation {
     ) -> Result<(), DeviceError> {
         self.begin_page()?;
         self.empty = false;
+        if let Some(copied) = &mut self.copied {
+            copied.push_mapped(item, transformation);
+        }
         let Workstation { backend, description, tables, painter, map, current, .. } = self;
         let device = match backend {
             Backend::Device(device) => &mut **device,
@@ -358,12 +364,33 @@ impl Workstation {
         if perform && self.new_frame_necessary { self.redraw(segments) } else { self.flush() }
     }
 
+    /// Keeps what is drawn from now on until the display surface is cleared, for [`Workstation::copy_to`].
+    pub fn keep(&mut self) {
+        self.copied.get_or_insert_default();
+    }
+
+    /// Draws what is kept on another device, with the tables of this workstation as they are now, and closes
+    /// that. The workstation window appears at the same place of its display surface.
+    pub fn copy_to(&self, backend: Backend, description: Description) -> Result<(), DeviceError> {
+        let (from, to) = (self.description.size(), description.size());
+        let (across, up) = (to.0 / from.0, to.1 / from.1);
+        let WorkstationTransformation { window, viewport } = self.current;
+        let [left, right, bottom, top] = viewport.limits();
+        let viewport = Rect::new(left * across, right * across, bottom * up, top * up);
+        let mut copy = Workstation::new(backend, description, self.tables.clone());
+        copy.requested = WorkstationTransformation { window, viewport };
+        copy.adopt_requested();
+        let drawn = self.copied.iter().flatten().try_for_each(|item| copy.draw(&item));
+        drawn.and(copy.close())
+    }
+
     /// The state of a display surface that was cleared.
     fn start_frame(&mut self) {
         self.empty = true;
         self.loose = false;
         self.kept = false;
         self.new_frame_necessary = false;
+        self.copied.iter_mut().for_each(Recording::clear);
         self.adopt_requested();
     }
 

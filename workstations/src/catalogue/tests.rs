@@ -142,8 +142,8 @@ fn errors_say_what_is_wrong_and_where() {
     );
     assert_eq!(said(&[("GKS_DIALECT", "x")], ""), "GKS_DIALECT=x: the dialects are iso, ncar, xgks and gr");
     assert_eq!(
-        said(&[("GKS_WSTYPE", "gif")], ""),
-        "GKS_WSTYPE=gif: no such workstation type; the types are default, png, jpeg, tiff, bmp, webp, png8, \
+        said(&[("GKS_WSTYPE", "tga")], ""),
+        "GKS_WSTYPE=tga: no such workstation type; the types are default, png, jpeg, tiff, bmp, webp, gif, png8, \
          framebuffer, framebuffer8, svg, svg-outlines, pdf, ps, eps, hpgl, window, web, terminal, sixel, \
          kitty, blocks, scripted, gksm, mi, null"
     );

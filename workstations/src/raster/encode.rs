@@ -1,8 +1,9 @@
-//! Image files: a picture becomes PNG, JPEG, TIFF, BMP or WebP.
+//! Image files: a picture becomes PNG, JPEG, TIFF, BMP, WebP or GIF.
 
 use super::describe::Layout;
 use gks_pipeline::device::{DeviceError, Sink};
 use image::codecs::bmp::BmpEncoder;
+use image::codecs::gif::GifEncoder;
 use image::codecs::jpeg::{JpegEncoder, PixelDensity, PixelDensityUnit};
 use image::codecs::tiff::TiffEncoder;
 use image::codecs::webp::WebPEncoder;
@@ -23,6 +24,8 @@ pub enum Format {
     Bmp,
     /// WebP: lossless, with opacity.
     Webp,
+    /// GIF: at most 256 colours, the nearest ones where there are more; pixels are opaque or not there.
+    Gif,
 }
 
 impl Format {
@@ -30,6 +33,7 @@ impl Format {
     pub(super) fn longest_side(self) -> u32 {
         match self {
             Format::Webp => 16383,
+            Format::Gif => 65535,
             _ => u32::MAX,
         }
     }
@@ -156,6 +160,7 @@ fn image(
         Format::Tiff => TiffEncoder::new(Cursor::new(&mut bytes)).write_image(&data, width, height, colour),
         Format::Bmp => BmpEncoder::new(&mut bytes).write_image(&data, width, height, colour),
         Format::Webp => WebPEncoder::new_lossless(&mut bytes).write_image(&data, width, height, colour),
+        Format::Gif => GifEncoder::new(&mut bytes).encode(&data, width, height, colour),
         Format::Png => return Err(DeviceError::Encode("PNG is written without the image codecs".into())),
     };
     done.map_err(|error| match error {
@@ -217,12 +222,13 @@ pub(super) mod tests {
     }
 
     const LAYOUT: Layout = Layout { width: 16, height: 8, pixel: 0.0254 / 300.0 };
-    const FORMATS: [(Format, ImageFormat); 5] = [
+    const FORMATS: [(Format, ImageFormat); 6] = [
         (Format::Png, ImageFormat::Png),
         (Format::Jpeg, ImageFormat::Jpeg),
         (Format::Tiff, ImageFormat::Tiff),
         (Format::Bmp, ImageFormat::Bmp),
         (Format::Webp, ImageFormat::WebP),
+        (Format::Gif, ImageFormat::Gif),
     ];
 
     /// Blue with the left half of the given colour.
@@ -252,7 +258,8 @@ pub(super) mod tests {
     fn every_format_reads_back() {
         for (format, other) in FORMATS {
             let picture = read(&written(Samples::Rgb(halves(&[250, 20, 30], &[0, 0, 255])), format), other);
-            assert!(!picture.color().has_alpha(), "{format:?}");
+            // What the reader of GIF returns has opacity always.
+            assert!(format == Format::Gif || !picture.color().has_alpha(), "{format:?}");
             assert!(resembles(&picture, 2, 3, [250, 20, 30, 255]), "{format:?}");
             assert!(resembles(&picture, 13, 7, [0, 0, 255, 255]), "{format:?}");
         }
@@ -265,6 +272,7 @@ pub(super) mod tests {
                 read(&written(Samples::Rgba(halves(&[0, 0, 0, 0], &[255, 0, 0, 128])), format), other);
             let (left, right) = match format {
                 Format::Jpeg => ([255; 4], [255, 127, 127, 255]),
+                Format::Gif => ([0; 4], [255, 0, 0, 255]),
                 _ => ([0; 4], [255, 0, 0, 128]),
             };
             assert!(resembles(&picture, 2, 3, left), "{format:?} {:?}", picture.to_rgba8().get_pixel(2, 3));

@@ -265,6 +265,8 @@ pub mod workstation_type {
     pub const BMP: i32 = 103;
     /// WebP image.
     pub const WEBP: i32 = 104;
+    /// GIF image of at most 256 colours.
+    pub const GIF: i32 = 105;
     /// PNG image of 8-bit colour indices.
     pub const PNG8: i32 = 110;
     /// Pixels in memory only, true colour.
@@ -322,6 +324,7 @@ pub static WORKSTATION_TYPES: &[WorkstationType] = &[
     WorkstationType { number: 102, name: "tiff", extension: "tif", colours: 65536, meaning: "TIFF image" },
     WorkstationType { number: 103, name: "bmp", extension: "bmp", colours: 65536, meaning: "BMP image" },
     WorkstationType { number: 104, name: "webp", extension: "webp", colours: 65536, meaning: "WebP image" },
+    WorkstationType { number: 105, name: "gif", extension: "gif", colours: 65536, meaning: "GIF image of at most 256 colours" },
     WorkstationType { number: 110, name: "png8", extension: "png", colours: 256, meaning: "PNG image of 8-bit colour indices" },
     WorkstationType { number: 120, name: "framebuffer", extension: "", colours: 65536, meaning: "pixels in memory only, true colour" },
     WorkstationType { number: 121, name: "framebuffer8", extension: "", colours: 256, meaning: "pixels in memory only, 8-bit colour indices" },

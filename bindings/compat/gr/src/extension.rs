@@ -1,0 +1,145 @@
+//! What GR has beyond the standard and keeps beside the state list: opacity, borders, and settings that have no
+//! effect here but are given back by inquiries.
+
+use crate::argument::Address;
+use std::ffi::{c_int, c_uint};
+use std::sync::{Mutex, PoisonError};
+
+/// The interior style of areas that are filled and have a border.
+pub(crate) const SOLID_WITH_BORDER: c_int = 4;
+
+/// The settings.
+#[derive(Clone, Debug)]
+pub(crate) struct State {
+    /// The opacity of what is drawn from now on, from 0 to 1.
+    pub(crate) opacity: f64,
+    /// Whether the interior style is [`SOLID_WITH_BORDER`].
+    pub(crate) bordered: bool,
+    /// The colour index of borders.
+    pub(crate) border_colour: c_int,
+    /// The linewidth scale factor of borders.
+    pub(crate) border_width: f64,
+    slant: f64,
+    clip_transformation: c_int,
+    clip_region: c_int,
+    clip_sector: (f64, f64),
+    resample_method: c_uint,
+    nominal_size: f64,
+    encoding: c_int,
+}
+
+impl State {
+    const INITIAL: State = State {
+        opacity: 1.0,
+        bordered: false,
+        border_colour: 1,
+        border_width: 1.0,
+        slant: 0.0,
+        clip_transformation: 0,
+        clip_region: 0,
+        clip_sector: (0.0, 360.0),
+        resample_method: 0,
+        nominal_size: 1.0,
+        encoding: 301,
+    };
+}
+
+static STATE: Mutex<State> = Mutex::new(State::INITIAL);
+
+/// Runs `f` with the settings.
+pub(crate) fn with<R>(f: impl FnOnce(&mut State) -> R) -> R {
+    f(&mut STATE.lock().unwrap_or_else(PoisonError::into_inner))
+}
+
+/// Settings with a function that sets and one that inquires.
+macro_rules! settings {
+    ($($set:ident, $inquire:ident($type:ty) $member:ident: $what:literal;)+) => { $(
+        #[doc = concat!("Sets ", $what, ".")]
+        #[unsafe(no_mangle)]
+        extern "C" fn $set(value: $type) {
+            with(|state| state.$member = value);
+        }
+
+        #[doc = concat!("Inquires ", $what, ".")]
+        #[unsafe(no_mangle)]
+        extern "C" fn $inquire(error: Address<c_int>, value: Address<$type>) {
+            error.set(0);
+            value.set(with(|state| state.$member));
+        }
+    )+ };
+}
+
+settings! {
+    gks_set_border_color_index, gks_inq_border_color_index(c_int) border_colour: "the colour index of borders";
+    gks_set_border_width, gks_inq_border_width(f64) border_width: "the linewidth scale factor of borders";
+    gks_set_text_slant, gks_inq_text_slant(f64) slant: "the slant of text, in degrees, which is not drawn";
+    gks_select_clip_xform, gks_inq_clip_xform(c_int) clip_transformation:
+        "the normalization transformation that clips, which has no effect: the current one does";
+    gks_set_clip_region, gks_inq_clip_region(c_int) clip_region:
+        "whether the rectangle or the ellipse in it clips, which has no effect: the rectangle does";
+}
+
+/// Sets the opacity of what is drawn from now on, from 0 to 1.
+#[unsafe(no_mangle)]
+extern "C" fn gks_set_transparency(alpha: f64) {
+    let alpha = if alpha.is_nan() { 1.0 } else { alpha.clamp(0.0, 1.0) };
+    with(|state| state.opacity = alpha);
+}
+
+/// Inquires the opacity.
+#[unsafe(no_mangle)]
+extern "C" fn gks_inq_transparency(error: Address<c_int>, alpha: Address<f64>) {
+    error.set(0);
+    alpha.set(with(|state| state.opacity));
+}
+
+/// Sets the sector of the ellipse that clips, in degrees, which has no effect.
+#[unsafe(no_mangle)]
+extern "C" fn gks_set_clip_sector(start: f64, end: f64) {
+    with(|state| state.clip_sector = (start, end));
+}
+
+/// Inquires the sector of the ellipse that clips.
+#[unsafe(no_mangle)]
+extern "C" fn gks_inq_clip_sector(error: Address<c_int>, start: Address<f64>, end: Address<f64>) {
+    error.set(0);
+    let sector = with(|state| state.clip_sector);
+    start.set(sector.0);
+    end.set(sector.1);
+}
+
+/// Sets how images are resampled, which has no effect: a pixel takes the colour of the cell at its centre.
+#[unsafe(no_mangle)]
+extern "C" fn gks_set_resample_method(method: c_uint) {
+    with(|state| state.resample_method = method);
+}
+
+/// Inquires how images are resampled.
+#[unsafe(no_mangle)]
+extern "C" fn gks_inq_resample_method(method: Address<c_uint>) {
+    method.set(with(|state| state.resample_method));
+}
+
+/// Sets the factor of nominal sizes, which has no effect: they follow the display surface.
+#[unsafe(no_mangle)]
+extern "C" fn gks_set_nominal_size(factor: f64) {
+    with(|state| state.nominal_size = factor);
+}
+
+/// Inquires the factor of nominal sizes.
+#[unsafe(no_mangle)]
+extern "C" fn gks_inq_nominal_size(factor: Address<f64>) {
+    factor.set(with(|state| state.nominal_size));
+}
+
+/// Sets the encoding of text, which has no effect: it is UTF-8, or Latin-1 where it is not valid as that.
+#[unsafe(no_mangle)]
+extern "C" fn gks_set_encoding(encoding: c_int) {
+    with(|state| state.encoding = encoding);
+}
+
+/// Inquires the encoding of text.
+#[unsafe(no_mangle)]
+extern "C" fn gks_inq_encoding(encoding: Address<c_int>) {
+    encoding.set(with(|state| state.encoding));
+}

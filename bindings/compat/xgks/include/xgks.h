@@ -1,0 +1,306 @@
+/* The binding of GKS to C of the draft of 1988, as XGKS has it, in this library.
+ *
+ * Functions return 0 or the number of an error. Lists that inquiries return are allocated with malloc and
+ * belong to the program. Functions of input and of GKS metafiles refuse their work in this binding. */
+#ifndef XGKS_H
+#define XGKS_H
+
+#include <stdio.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef int Gint;
+typedef long Glong;
+typedef char Gchar;
+typedef float Gfloat;
+typedef FILE Gfile;
+
+#define OK 0
+
+typedef enum Gacf { GCURRENT, GSPECIFIED } Gacf;
+typedef enum Gasf { GBUNDLED, GINDIVIDUAL } Gasf;
+typedef enum Gattrs { GPOLYLINE, GPOLYMARKER, GTEXT, GFILLAREA } Gattrs;
+typedef enum Gclip { GCLIP, GNOCLIP } Gclip;
+typedef enum Gclrflag { GCONDITIONALLY, GALWAYS } Gclrflag;
+typedef enum Gcoavail { GCOLOUR, GMONOCHROME } Gcoavail;
+typedef enum Gcovalid { GABSENT, GPRESENT } Gcovalid;
+typedef enum Gcsw { GWC, GNDC } Gcsw;
+typedef enum Gdefmode { GASAP, GBNIG, GBNIL, GASTI } Gdefmode;
+typedef enum Girgmode { GSUPPRESSED, GALLOWED } Girgmode;
+typedef enum Gdevunits { GDC_METRES, GDC_OTHER } Gdevunits;
+typedef enum Gdspsurf { GEMPTY, GNOTEMPTY } Gdspsurf;
+typedef enum Gflinter { GHOLLOW, GSOLID, GPATTERN, GHATCH } Gflinter;
+typedef enum Ginqtype { GSET, GREALIZED } Ginqtype, Gqtype;
+typedef enum Glevel {
+    GLMA = -3, GLMB, GLMC, GL0A, GL0B, GL0C, GL1A, GL1B, GL1C, GL2A, GL2B, GL2C
+} Glevel;
+typedef enum Gmodtype { GIRG, GIMM } Gmodtype;
+typedef enum Gnframe { GNO, GYES } Gnframe, Gstore;
+typedef enum Gos { GGKCL, GGKOP, GWSOP, GWSAC, GSGOP } Gos;
+typedef enum Gredraw { GRD_GKS, GRD_X } Gredraw;
+typedef enum Gregen { GPERFORM, GPOSTPONE } Gregen;
+typedef enum Gsegdet { GUNDETECTABLE, GDETECTABLE } Gsegdet;
+typedef enum Gseghi { GNORMAL, GHIGHLIGHTED } Gseghi;
+typedef enum Gsegvis { GVISIBLE, GINVISIBLE } Gsegvis;
+typedef enum Gtxhor { GTH_NORMAL, GTH_LEFT, GTH_CENTRE, GTH_RIGHT } Gtxhor;
+typedef enum Gtxver { GTV_NORMAL, GTV_TOP, GTV_CAP, GTV_HALF, GTV_BASE, GTV_BOTTOM } Gtxver;
+typedef enum Gtxpath { GTP_RIGHT, GTP_LEFT, GTP_UP, GTP_DOWN } Gtxpath;
+typedef enum Gtxprec { GSTRING, GCHAR, GSTROKE } Gtxprec;
+typedef enum Gvpri { GHIGHER, GLOWER } Gvpri;
+typedef enum Gwscat { GINVALID = -1, GOUTPUT = 0, GINPUT, GOUTIN, GWISS, GMO, GMI } Gwscat;
+typedef enum Gwsclass { GVECTOR, GRASTER, GOTHER } Gwsclass;
+typedef enum Gwsstate { GINACTIVE, GACTIVE } Gwsstate;
+typedef enum Gwstus { GNOTPENDING, GPENDING } Gwstus;
+
+/* Linetypes and marker types. */
+#define GLN_LDASH (-3)
+#define GLN_DDOTDASH (-2)
+#define GLN_SDASH (-1)
+#define GLN_SOLID 1
+#define GLN_DASH 2
+#define GLN_DOT 3
+#define GLN_DOTDASH 4
+#define GMK_POINT 1
+#define GMK_PLUS 2
+#define GMK_STAR 3
+#define GMK_O 4
+#define GMK_X 5
+
+typedef struct Gpoint { Gfloat x, y; } Gpoint;
+typedef struct Gipoint { Gint x, y; } Gipoint;
+typedef struct Glimit { Gfloat xmin, xmax, ymin, ymax; } Glimit;
+typedef struct Grect { Gpoint ll, ur; } Grect;
+typedef struct Gintlist { Gint number; Gint *integers; } Gintlist;
+typedef struct Gstrlist { Gint number; Gchar **strings; } Gstrlist;
+typedef struct Gasfs {
+    Gasf ln_type, ln_width, ln_colour, mk_type, mk_size, mk_colour, tx_fp, tx_exp, tx_space, tx_colour, fl_inter,
+        fl_style, fl_colour;
+} Gasfs;
+typedef struct Gcliprec { Gclip ind; Glimit rec; } Gcliprec;
+typedef struct Gcobundl { Gfloat red, green, blue; } Gcobundl;
+typedef struct Gcofac { Gint colours; Gcoavail coavail; Gint predefined; } Gcofac;
+typedef struct Gdefer { Gdefmode defmode; Girgmode irgmode; } Gdefer;
+typedef struct Gdspsize { Gdevunits units; Gpoint device; Gipoint raster; } Gdspsize;
+typedef struct Gextent { Gpoint concat, ll, lr, ul, ur; } Gextent;
+typedef struct Gflbundl { Gflinter inter; Gint style, colour; } Gflbundl;
+typedef struct Gflfac { Gintlist interiors, hatches; Gint predefined; } Gflfac;
+typedef struct Ggdpfac { Gint number; Gattrs *attrs; } Ggdpfac;
+typedef struct Ggdplist { Gint number; Gint (**functions)(void); Gint *indices; } Ggdplist;
+typedef union Ggdprec { struct { Gint dummy; } gdpid1; struct { Gint dummy; } gdpid2; } Ggdprec;
+typedef struct Ggksmit { Gint type, length; } Ggksmit;
+typedef struct Glnbundl { Gint type; Gfloat width; Gint colour; } Glnbundl;
+typedef struct Glnfac { Gintlist types; Gint widths; Gfloat nom, min, max; Gint predefined; } Glnfac;
+typedef struct Gmkbundl { Gint type; Gfloat size; Gint colour; } Gmkbundl;
+typedef struct Gmkfac { Gintlist types; Gint sizes; Gfloat nom, min, max; Gint predefined; } Gmkfac;
+typedef struct Gmodseg {
+    Gmodtype transform, appear, disappear, highlight, priority, addition, deletion;
+} Gmodseg;
+typedef struct Gmodws { Gmodtype line, mark, text, fill, pat, colour, wstran; } Gmodws;
+typedef struct Gptbundl { Gipoint size; Gint *array; } Gptbundl;
+typedef struct Gpxarray { Gcovalid covalid; Gint *array; } Gpxarray;
+typedef struct Gsegattr {
+    Gint seg;
+    Gfloat segtran[2][3];
+    Gsegvis vis;
+    Gseghi hilight;
+    Gfloat pri;
+    Gsegdet det;
+} Gsegattr;
+typedef struct Gtxalign { Gtxhor hor; Gtxver ver; } Gtxalign;
+typedef struct Gtxfp { Gint font; Gtxprec prec; } Gtxfp;
+typedef struct Gtxbundl { Gtxfp fp; Gfloat ch_exp, space; Gint colour; } Gtxbundl;
+typedef struct Gtxfac {
+    Gint fps;
+    Gtxfp *fp_list;
+    Gint heights;
+    Gfloat min_ht, max_ht;
+    Gint expansions;
+    Gfloat min_ex, max_ex;
+    Gint predefined;
+} Gtxfac;
+typedef struct Gindattr {
+    Gint lntype;
+    Gfloat lnwidth;
+    Gint lncolour, mktype;
+    Gfloat mksize;
+    Gint mkcolour;
+    Gtxfp fp;
+    Gfloat chexp, chspace;
+    Gint txcolour;
+    Gflinter flstyle;
+    Gint flindex, flcolour;
+    Gasfs asflist;
+} Gindattr;
+typedef struct Gpriattr {
+    Gint plnindex, pmkindex, txindex;
+    Gfloat height;
+    Gpoint up;
+    Gfloat chwidth;
+    Gpoint base;
+    Gtxpath path;
+    Gtxalign align;
+    Gint flindex;
+    Gpoint widthvec, heightvec, prp;
+} Gpriattr;
+typedef struct Gwsct { Gchar *conn, *type; } Gwsct;
+typedef struct Gwsdus { Gdefmode defmode; Gdspsurf dspsurf; Girgmode irgmode; Gnframe nframe; } Gwsdus;
+typedef struct Gwsmax { Gint open, active, assoc; } Gwsmax;
+typedef struct Gwstables { Gint line, mark, text, fill, pat, colour; } Gwstables;
+typedef struct Gwstran { Glimit w, v; } Gwstran;
+typedef struct Gwsti { Gwstus wstus; Gwstran request, current; } Gwsti;
+
+Gint gopenws(Gint wsid, Gchar *connection, Gchar *ws_type);
+Gint gclosews(Gint wsid);
+Gint gclearws(Gint wsid, Gclrflag control_flag);
+Gint gopengks(Gfile *err_file, Glong memory);
+Gint gclosegks(void);
+Gint gsetasf(Gasfs *asf);
+Gint gsetcolourrep(Gint wsid, Gint idx, Gcobundl *rep);
+Gint ginqcolourrep(Gint wsid, Gint idx, Gqtype type, Gcobundl *rep);
+Gint ginqcolourindices(Gint wsid, Gintlist *indices);
+Gint ginqcolourfacil(Gchar *ws_type, Gcofac *fac);
+Gint ginqpredcolourrep(Gchar *ws_type, Gint index, Gcobundl *rep);
+Gint gactivatews(Gint wsid);
+Gint gdeactivatews(Gint wsid);
+Gint gsetwindow(Gint trans, Glimit *window);
+Gint gsetviewport(Gint trans, Glimit *viewport);
+Gint gsetviewportinputpri(Gint trans, Gint ref_trans, Gvpri priority);
+Gint gselntran(Gint trans);
+Gint gsetclip(Gclip ind);
+Gint gsetwswindow(Gint wsid, Glimit *window);
+Gint gsetwsviewport(Gint wsid, Glimit *viewport);
+Gint gevaltran(Gpoint *ppoint, Gpoint *pshift, Gfloat angle, Gpoint *pscale, Gcsw coord, Gfloat result[2][3]);
+Gint gaccumtran(Gfloat segtran[2][3], Gpoint *ppoint, Gpoint *pshift, Gfloat angle, Gpoint *pscale, Gcsw coord, Gfloat result[2][3]);
+Gint gemergencyclosegks(void);
+Gint gerrorhand(Gint errnum, Gint function, Gfile *perrfile);
+Gint gerrorlog(Gint errnum, Gint function, Gfile *perrfile);
+Gint gpolyline(Gint num_pts, Gpoint *pts);
+Gint gsetlineind(Gint idx);
+Gint gsetlinetype(Gint type);
+Gint gsetlinewidth(Gfloat width);
+Gint gsetlinecolourind(Gint idx);
+Gint gsetlinerep(Gint wsid, Gint idx, Glnbundl *rep);
+Gint gcreateseg(Gint name);
+Gint gcloseseg(void);
+Gint grenameseg(Gint old, Gint renamed);
+Gint gdelseg(Gint name);
+Gint gdelsegws(Gint wsid, Gint name);
+Gint gsetsegattr(Gint name, Gsegattr *segattr);
+Gint gassocsegws(Gint wsid, Gint seg_id);
+Gint gcopysegws(Gint wsid, Gint seg_id);
+Gint ginsertseg(Gint seg_id, Gfloat segtran[2][3]);
+Gint gredrawsegws(Gint wsid);
+Gint ginqmodsegattr(Gchar *ws_type, Gmodseg *dyn);
+Gint ginqnameopenseg(Gint *seg);
+Gint ginqsegattr(Gsegattr *segattr);
+Gint ginqassocws(Gint seg, Gintlist *asswk);
+Gint ginqsegnames(Gintlist *segs);
+Gint ginqsegnamesws(Gint wsid, Gintlist *segs);
+Gint ginqnumsegpri(Gchar *ws_type, Gint *numpri);
+Gint gpolymarker(Gint num_pts, Gpoint *pts);
+Gint gsetmarkersize(Gfloat size);
+Gint gsetmarkertype(Gint type);
+Gint gsetmarkercolourind(Gint colour);
+Gint gsetmarkerind(Gint idx);
+Gint gsetmarkerrep(Gint wsid, Gint idx, Gmkbundl *rep);
+Gint gfillarea(Gint num_pts, Gpoint *pts);
+Gint gsetfillcolourind(Gint colour);
+Gint gsetfillind(Gint idx);
+Gint gsetfillintstyle(Gflinter style);
+Gint gsetfillrep(Gint wsid, Gint idx, Gflbundl *rep);
+Gint gsetfillstyleind(Gint idx);
+Gint gsetpatrep(Gint wsid, Gint idx, Gptbundl *rep);
+Gint gcellarray(Grect *rect, Gipoint *dim, Gint row, Gint *colour);
+Gint gupdatews(Gint wsid, Gregen regenflag);
+Gint gsetcharexpan(Gfloat expansion);
+Gint gsetcharheight(Gfloat height);
+Gint gsetcharspace(Gfloat spacing);
+Gint gsetcharup(Gpoint *up_vector);
+Gint gsettextalign(Gtxalign *txalign);
+Gint gsettextcolourind(Gint colour);
+Gint gsettextfontprec(Gtxfp *txfp);
+Gint gsettextind(Gint idx);
+Gint gsettextpath(Gtxpath path);
+Gint gsettextrep(Gint wsid, Gint idx, Gtxbundl *bundle);
+Gint gtext(Gpoint *at, Gchar *string);
+Gint ginqtextextent(Gint wsid, Gpoint position, Gchar *string, Gextent *extent);
+Gint gsetdeferst(Gint wsid, Gdefmode deferral_mode, Girgmode regen_mode);
+Gint ginqlinefacil(Gchar *ws_type, Glnfac *fac);
+Gint ginqpredlinerep(Gchar *ws_type, Gint idx, Glnbundl *rep);
+Gint ginqlineindices(Gint wsid, Gintlist *idxlist);
+Gint ginqlinerep(Gint wsid, Gint idx, Gqtype type, Glnbundl *rep);
+Gint ginqmarkerfacil(Gchar *ws_type, Gmkfac *fac);
+Gint ginqpredmarkerrep(Gchar *ws_type, Gint idx, Gmkbundl *rep);
+Gint ginqmarkerindices(Gint wsid, Gintlist *idxlist);
+Gint ginqmarkerrep(Gint wsid, Gint idx, Gqtype type, Gmkbundl *rep);
+Gint ginqfillfacil(Gchar *ws_type, Gflfac *fac);
+Gint ginqpredfillrep(Gchar *ws_type, Gint idx, Gflbundl *rep);
+Gint ginqfillindices(Gint wsid, Gintlist *idxlist);
+Gint ginqfillrep(Gint wsid, Gint idx, Gqtype type, Gflbundl *rep);
+Gint ginqpatfacil(Gchar *ws_type, Gint *fac);
+Gint ginqpredpatrep(Gchar *ws_type, Gint idx, Gptbundl *rep);
+Gint ginqpatindices(Gint wsid, Gintlist *idxlist);
+Gint ginqpatrep(Gint wsid, Gint idx, Gqtype type, Gptbundl *rep);
+Gint gmessage(Gint wsid, Gchar *string);
+void gescsetbackingstore(Gint wsid, Gint i);
+void gescsetprogname(char *name);
+Gint gescsetcolourmask(Gint wsid, unsigned long mask);
+Gint gescsetdcsize(Gint wsid, Gpoint size);
+Gint gescstoreprimi(Gint wsid, Gstore store);
+Gint ginqtextfacil(Gchar *ws_type, Gtxfac *fac);
+Gint ginqpredtextrep(Gchar *ws_type, Gint idx, Gtxbundl *rep);
+Gint ginqtextindices(Gint wsid, Gintlist *idxlist);
+Gint ginqtextrep(Gint wsid, Gint idx, Gqtype type, Gtxbundl *rep);
+Gint ginqavailwstypes(Gstrlist *wstypes);
+Gint ginqdisplayspacesize(Gchar *ws_type, Gdspsize *dspsz);
+Gint ginqwscategory(Gchar *ws_type, Gwscat *cat);
+Gint ginqwsclass(Gchar *ws_type, Gwsclass *wsclass);
+Gint ginqmodwsattr(Gchar *ws_type, Gmodws *dyn);
+Gint ginqdefdeferst(Gchar *ws_type, Gdefer *def);
+Gint ginqmaxwssttables(Gchar *ws_type, Gwstables *tables);
+Gint ginqwsconntype(Gint wsid, Gwsct *ct);
+Gint ginqwsst(Gint wsid, Gwsstate *state);
+Gint ginqwsdeferupdatest(Gint wsid, Gwsdus *du);
+Gint ginqopst(Gos *state);
+Gint ginqlevelgks(Glevel *lev);
+Gint ginqwsmaxnum(Gwsmax *maxws);
+Gint ginqopenws(Gintlist *wsids);
+Gint ginqactivews(Gintlist *wsids);
+Gint ginqprimattr(Gpriattr *primattr);
+Gint ginqindivattr(Gindattr *indivattr);
+Gint ginqcurntrannum(Gint *tran);
+Gint ginqntrannum(Gintlist *tranlist);
+Gint ginqntran(Gint num, Gwstran *tran);
+Gint ginqclip(Gcliprec *clipping);
+Gint ginqmaxntrannum(Gint *maxtran);
+Gint ginqwstran(Gint wsid, Gwsti *wstran);
+Gint ginqpixelarraydim(Gint wsid, Grect *rect, Gipoint *dim);
+Gint ginqpixelarray(Gint wsid, Gpoint *point, Gipoint *dimen, Gpxarray *pxarr);
+Gint ginqpixel(Gint wsid, Gpoint *ppoint, Gint *pix);
+Gint ggdp(Gint npoints, Gpoint *points, Gint function, Ggdprec *data);
+Gint ginqavailgdp(Gchar *type, Ggdplist *gdps);
+Gint ginqgdp(Gchar *type, Gint function, Ggdpfac *fac);
+Gint gsetpatsize(Gpoint *siz);
+Gint gsetpatrefpt(Gpoint *ref);
+
+/* The other way of spelling. */
+#define gsetcolorrep gsetcolourrep
+#define ginqcolorrep ginqcolourrep
+#define ginqcolorindices ginqcolourindices
+#define ginqcolorfacil ginqcolourfacil
+#define ginqpredcolorrep ginqpredcolourrep
+#define gsetlinecolorind gsetlinecolourind
+#define gsetmarkercolorind gsetmarkercolourind
+#define gsetfillcolorind gsetfillcolourind
+#define gsettextcolorind gsettextcolourind
+#define gescsetcolormask gescsetcolourmask
+#define GCOLOR GCOLOUR
+#define GTH_CENTER GTH_CENTRE
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
