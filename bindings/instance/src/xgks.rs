@@ -35,7 +35,7 @@ impl KeptPicture {
     /// Whether the file is to be written at all: one without a name but for the extension only takes frames.
     fn is_named(&self) -> bool {
         let file = self.name.rsplit('/').next().unwrap_or(&self.name);
-        !file.is_empty() && !(file.starts_with('.') && !file[1..].contains('.'))
+        !file.is_empty() && (!file.starts_with('.') || file[1..].contains('.'))
     }
 
     /// The connection for a file: its name, with the size as an option.

@@ -9,10 +9,8 @@ use gks_workstations::environment::Environment;
 use std::path::Path;
 
 /// Targets, connections and workstation types.
-const SEEDS: [(&str, &str, i32); 2] = [
-    ("gksm", "formatted.gksm?coding=formatted", 2),
-    ("gksm", "binary.gksm?coding=binary", 2),
-];
+const SEEDS: [(&str, &str, i32); 2] =
+    [("gksm", "formatted.gksm?coding=formatted", 2), ("gksm", "binary.gksm?coding=binary", 2)];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
@@ -40,7 +38,8 @@ fn draw(gks: &mut Gks) -> gks::Result<()> {
     gks.set_character_height(0.05)?;
     gks.set_text_font_and_precision(-3, Precision::Stroke)?;
     gks.text(Point::new(0.2, 0.4), "seed")?;
-    for (style, index) in [(InteriorStyle::Solid, 1), (InteriorStyle::Hatch, -3), (InteriorStyle::Pattern, 1)] {
+    for (style, index) in [(InteriorStyle::Solid, 1), (InteriorStyle::Hatch, -3), (InteriorStyle::Pattern, 1)]
+    {
         gks.set_fill_area_interior_style(style)?;
         gks.set_fill_area_style_index(index)?;
         gks.fill_area(&points[..3])?;

@@ -90,7 +90,7 @@ mod tests {
         let few = palette(&[0x00_00ff, 0x12_3456, 0x00_00ff]);
         assert_eq!(few.colours, [0x00_00ff, 0x12_3456]);
         assert_eq!(few.cells, [FIRST, FIRST + 1, FIRST]);
-        let many: Vec<c_int> = (0..20_000).map(|i| i * 7919 & 0xff_ffff).collect();
+        let many: Vec<c_int> = (0..20_000).map(|i| (i * 7919) & 0xff_ffff).collect();
         let palette = palette(&many);
         assert!(palette.colours.len() <= MOST && palette.colours.len() > MOST / 16);
         assert_eq!(palette.cells.len(), many.len());

@@ -210,8 +210,8 @@ extern "C" fn gks_inq_text_extent(
         let room = gks.inquire_text_extent(ws_id, (x, y), &text.text())?;
         next_x.set(room.concatenation.x());
         next_y.set(room.concatenation.y());
-        corners_x.set_all(room.corners.map(|corner| corner.x()));
-        corners_y.set_all(room.corners.map(|corner| corner.y()));
+        corners_x.set_all(room.corners.map(gks_geometry::Point::x));
+        corners_y.set_all(room.corners.map(gks_geometry::Point::y));
         Ok(())
     });
 }

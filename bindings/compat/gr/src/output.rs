@@ -12,11 +12,11 @@ fn points<'a>(count: c_int, x: Address<f64>, y: Address<f64>) -> Points<'a> {
 /// Draws with the current opacity: the colour index has it while the primitive is drawn.
 pub(crate) fn translucent(
     gks: &mut Gks,
-    index: gks::Result<c_int>,
+    index: Option<c_int>,
     draw: impl FnOnce(&mut Gks) -> gks::Result<()>,
 ) -> gks::Result<()> {
     let opacity = extension::with(|state| state.opacity);
-    let Ok(index) = index else { return draw(gks) };
+    let Some(index) = index else { return draw(gks) };
     if opacity >= 1.0 {
         return draw(gks);
     }
@@ -36,7 +36,7 @@ pub(crate) fn translucent(
 extern "C" fn gks_polyline(count: c_int, x: Address<f64>, y: Address<f64>) {
     call(Function::Polyline, |gks| {
         let index = gks.inquire_polyline_colour_index();
-        translucent(gks, index, |gks| gks.polyline(points(count, x, y)))
+        translucent(gks, index.ok(), |gks| gks.polyline(points(count, x, y)))
     });
 }
 
@@ -45,7 +45,7 @@ extern "C" fn gks_polyline(count: c_int, x: Address<f64>, y: Address<f64>) {
 extern "C" fn gks_polymarker(count: c_int, x: Address<f64>, y: Address<f64>) {
     call(Function::Polymarker, |gks| {
         let index = gks.inquire_polymarker_colour_index();
-        translucent(gks, index, |gks| gks.polymarker(points(count, x, y)))
+        translucent(gks, index.ok(), |gks| gks.polymarker(points(count, x, y)))
     });
 }
 
@@ -54,7 +54,7 @@ extern "C" fn gks_polymarker(count: c_int, x: Address<f64>, y: Address<f64>) {
 extern "C" fn gks_text(x: f64, y: f64, text: Address<c_char>) {
     call(Function::Text, |gks| {
         let index = gks.inquire_text_colour_index();
-        translucent(gks, index, |gks| gks.text((x, y), &text.text()))
+        translucent(gks, index.ok(), |gks| gks.text((x, y), &text.text()))
     });
 }
 
@@ -63,7 +63,7 @@ extern "C" fn gks_text(x: f64, y: f64, text: Address<c_char>) {
 extern "C" fn gks_fillarea(count: c_int, x: Address<f64>, y: Address<f64>) {
     call(Function::FillArea, |gks| {
         let index = gks.inquire_fill_area_colour_index();
-        translucent(gks, index, |gks| gks.fill_area(points(count, x, y)))?;
+        translucent(gks, index.ok(), |gks| gks.fill_area(points(count, x, y)))?;
         if extension::with(|state| state.bordered) {
             border(gks, x.array(count), y.array(count))
         } else {
@@ -85,7 +85,7 @@ fn border(gks: &mut Gks, x: &[f64], y: &[f64]) -> gks::Result<()> {
     gks.set_linetype(1)?;
     let closed: Vec<(f64, f64)> =
         x.iter().chain(x.first()).copied().zip(y.iter().chain(y.first()).copied()).collect();
-    let drawn = translucent(gks, Ok(colour), |gks| gks.polyline(Points::Tuples(&closed)));
+    let drawn = translucent(gks, Some(colour), |gks| gks.polyline(Points::Tuples(&closed)));
     gks.set_polyline_colour_index(old.0)?;
     gks.set_linewidth_scale_factor(old.1)?;
     gks.set_linetype(old.2)?;
