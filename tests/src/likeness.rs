@@ -10,9 +10,9 @@ use std::path::Path;
 #[derive(Copy, Clone, Debug)]
 pub struct Likeness {
     /// The share of the contours of either picture (for plots: of the ink) that has none of the other within
-    /// [`NEAR`] pixels.
+    /// `NEAR` pixels.
     pub stray: f64,
-    /// The root mean square difference of colour after a blur over [`BLUR`] pixels, from 0 to 255.
+    /// The root mean square difference of colour after a blur over `BLUR` pixels, from 0 to 255.
     pub tone: f64,
 }
 

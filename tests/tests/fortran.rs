@@ -146,7 +146,7 @@ fn utilities_of_ncar_graphics_find_what_they_expect() {
         .filter(|file| file.path().extension().is_some_and(|e| e == "svg"))
         .map(|file| (file.file_name().to_string_lossy().into_owned(), file.metadata().map_or(0, |m| m.len())))
         .collect();
-    assert_eq!(names.keys().collect::<Vec<_>>(), ["gks.2.svg", "named.svg"]);
+    assert_eq!(names.keys().collect::<Vec<_>>(), ["gmeta.svg", "named.svg"]);
     assert!(names.values().all(|&length| length > 100), "{names:?}");
 }
 

@@ -312,7 +312,7 @@ fn a_full_disk_is_error_303_and_the_program_goes_on() {
 #[test]
 fn unknown_workstation_types_are_refused() {
     let mut gks = Gks::open(Box::new(drivers()));
-    for kind in [1, 99, 105, 899, 901, 31_999, i32::MAX] {
+    for kind in [4, 99, 106, 899, 901, 31_999, i32::MAX] {
         assert_eq!(number(gks.open_workstation(1, "", kind)), 23, "type {kind}");
     }
     for kind in [-1, i32::MIN] {

@@ -28,14 +28,15 @@ impl KeptPicture {
     fn new(name: &str) -> Self {
         let file = name.rsplit('/').next().unwrap_or(name);
         let has_format = file.contains('.') && Drivers::choose(name).is_some();
-        let name = if file.is_empty() || has_format { name.to_owned() } else { format!("{name}.png") };
+        let as_it_is = is_unnamed(file) || has_format;
+        let name = if as_it_is { name.to_owned() } else { format!("{name}.png") };
         KeptPicture { name, size: None, pages: 0 }
     }
 
     /// Whether the file is to be written at all: one without a name but for the extension only takes frames.
     fn is_named(&self) -> bool {
         let file = self.name.rsplit('/').next().unwrap_or(&self.name);
-        !file.is_empty() && (!file.starts_with('.') || file[1..].contains('.'))
+        !is_unnamed(file)
     }
 
     /// The connection for a file: its name, with the size as an option.
@@ -146,6 +147,11 @@ impl Instance {
     pub fn keeps_picture(&self, id: i32) -> bool {
         self.pictures.contains_key(&id)
     }
+}
+
+/// Whether a file has no name, or none but an extension.
+fn is_unnamed(file: &str) -> bool {
+    file.is_empty() || file.strip_prefix('.').is_some_and(|rest| !rest.contains('.'))
 }
 
 #[cfg(test)]

@@ -9,8 +9,14 @@ use gks_workstations::environment::Environment;
 use std::path::Path;
 
 /// Targets, connections and workstation types.
-const SEEDS: [(&str, &str, i32); 2] =
-    [("gksm", "formatted.gksm?coding=formatted", 2), ("gksm", "binary.gksm?coding=binary", 2)];
+const SEEDS: [(&str, &str, i32); 6] = [
+    ("gksm", "formatted.gksm?coding=formatted", 2),
+    ("gksm", "binary.gksm?coding=binary", 2),
+    ("cgm_binary", "seed.cgm", 400),
+    ("cgm_text", "seed.cgmt", 401),
+    ("cgm_character", "seed.cgmc", 402),
+    ("ncgm", "seed.ncgm", 403),
+];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");

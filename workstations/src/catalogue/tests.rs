@@ -145,13 +145,13 @@ fn errors_say_what_is_wrong_and_where() {
         said(&[("GKS_WSTYPE", "tga")], ""),
         "GKS_WSTYPE=tga: no such workstation type; the types are default, png, jpeg, tiff, bmp, webp, gif, png8, \
          framebuffer, framebuffer8, svg, svg-outlines, pdf, ps, eps, hpgl, window, web, terminal, sixel, \
-         kitty, blocks, scripted, gksm, mi, null"
+         kitty, blocks, scripted, gksm, mi, cgm, cgm-text, cgm-character, ncgm, null"
     );
     assert!(said(&[("GKS_WSTYPE", "3"), ("GKS_DIALECT", "ncar")], "").starts_with("GKS_WSTYPE=3: no such"));
     let mut drivers = Drivers::new(Environment::default());
     let error = drivers.open(200, "/no/such/dir/a.svg").err().unwrap();
     assert!(matches!(&error, OpenError::CannotOpen(text) if text.starts_with("/no/such/dir/a.svg: ")));
-    assert!(matches!(drivers.open(1, ""), Err(OpenError::NoSuchType(1))));
+    assert!(matches!(drivers.open(99, ""), Err(OpenError::NoSuchType(99))));
 }
 
 #[test]
@@ -219,7 +219,7 @@ fn descriptions_are_those_of_the_devices() {
             }
             let raster = described.raster;
             assert!(raster.0 > 0 && raster.1 > 0 && described.size().0 > 0.0, "{number}");
-            if list.contains("landscape=0") {
+            if list.contains("landscape=0") && matches!(backend, Backend::Device(_)) {
                 assert!(described.size().0 < described.size().1, "{number} {list}");
             }
             draw_nothing(&mut backend);
@@ -236,11 +236,12 @@ fn categories_are_those_that_programs_expect() {
     assert_eq!(category(11), Some(Category::Output));
     assert_eq!(category(0), Some(Category::Output));
     assert_eq!(category(3), Some(Category::Wiss));
-    assert!(ncar.types().starts_with(&[0, 1, 3, 7, 8, 10, 11, 12, 20, 21]));
+    assert!(ncar.types().starts_with(&[0, 1, 2, 3, 7, 8, 10, 11, 12, 20, 21]));
 }
 
 #[test]
 fn every_type_of_the_table_is_served() {
-    let numbers: Vec<i32> = WORKSTATION_TYPES.iter().map(|kind| kind.number).collect();
+    let mut numbers: Vec<i32> = WORKSTATION_TYPES.iter().map(|kind| kind.number).collect();
+    numbers.sort_unstable();
     assert_eq!(Drivers::new(Environment::default()).types(), numbers);
 }

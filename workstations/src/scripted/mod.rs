@@ -255,11 +255,14 @@ mod tests {
 
     #[test]
     fn steps_are_reported_in_order_and_then_nobody_is_there() {
-        let mut operated = scripted("locator 1 0.5 1\nbreak\ntogether\nlocator 1 0 0\nvaluator 1 3\nend\n");
+        let mut operated = scripted("locator 1 0.5 0.5\nbreak\ntogether\nlocator 1 0 0\nvaluator 1 3\nend\n");
         start(&mut operated, InputClass::Locator, Measure::Locator(Point::new(0.0, 0.0)));
         start(&mut operated, InputClass::Valuator, Measure::Valuator(0.0));
         let place = |x, y| (device(InputClass::Locator), Measure::Locator(Point::new(x, y)));
-        assert_eq!(operated.wait(None).unwrap(), Report::Trigger(vec![place(0.01, 0.02)]));
+        let Report::Trigger(first) = operated.wait(None).unwrap() else { panic!("no trigger") };
+        let [(of, Measure::Locator(at))] = &first[..] else { panic!("{first:?}") };
+        assert_eq!(*of, device(InputClass::Locator));
+        assert!(at.0.distance(glam::dvec2(0.01, 0.01)) < 1e-12, "{at:?}");
         assert_eq!(operated.wait(None).unwrap(), Report::Break);
         let number = (device(InputClass::Valuator), Measure::Valuator(3.0));
         assert_eq!(operated.wait(None).unwrap(), Report::Trigger(vec![place(0.0, 0.0), number]));
