@@ -72,7 +72,7 @@ pub fn measure(
 }
 
 /// A kernel with one active workstation that knows the colours of the scenes, whatever the environment says.
-fn open(kind: i32, connection: &str) -> gks::Result<Gks> {
+pub fn open(kind: i32, connection: &str) -> gks::Result<Gks> {
     let mut gks = Gks::open(Box::new(Drivers::new(Environment::default())));
     gks.open_workstation(1, connection, kind)?;
     gks.activate_workstation(1)?;
@@ -80,14 +80,15 @@ fn open(kind: i32, connection: &str) -> gks::Result<Gks> {
     Ok(gks)
 }
 
-fn close(mut gks: Gks) -> gks::Result<()> {
+/// Closes what [`open`] has opened.
+pub fn close(mut gks: Gks) -> gks::Result<()> {
     gks.deactivate_workstation(1)?;
     gks.close_workstation(1)?;
     gks.close_gks()
 }
 
 /// Draws, and waits until all is drawn.
-fn draw(scene: &dyn Scene, gks: &mut Gks) -> gks::Result<()> {
+pub fn draw(scene: &dyn Scene, gks: &mut Gks) -> gks::Result<()> {
     scene.draw(gks)?;
     gks.update_workstation(1, true)
 }
@@ -158,7 +159,7 @@ fn read(gks: &mut Gks) -> gks::Result<Vec<[u8; 3]>> {
 }
 
 /// Writes a picture to a file and returns its size in bytes.
-fn write(kind: i32, scene: &dyn Scene, file: &Path) -> Result<u64, Failure> {
+pub fn write(kind: i32, scene: &dyn Scene, file: &Path) -> Result<u64, Failure> {
     let mut gks = open(kind, &file.to_string_lossy())?;
     scene.draw(&mut gks)?;
     close(gks)?;
