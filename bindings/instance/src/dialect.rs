@@ -1,5 +1,6 @@
 //! Dialects: the initial values that other GKS implementations choose differently.
 
+use crate::gr_colours::GR_COLOURS;
 use gks::Defaults;
 use gks_pipeline::look::InteriorStyle;
 use gks_workstations::catalogue::Drivers;
@@ -40,12 +41,24 @@ pub(crate) fn defaults(dialect: Dialect) -> Defaults {
         // NCAR's nominal marker size is a hundredth of the unit square, ours 6/1000.
         defaults.marker_scale = 10.0 / 6.0;
     }
+    // Programs of XGKS call UPDATE WORKSTATION nowhere and see their segments changed all the same.
+    defaults.updates_before_input = dialect == Dialect::Xgks;
+    if dialect == Dialect::Gr {
+        defaults.colours = &GR_COLOURS;
+    }
     defaults
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn gr_starts_with_many_colours() {
+        let colours = defaults(Dialect::Gr).colours;
+        assert_eq!((colours.len(), colours[2], colours[980]), (1000, 0xff_0000, 0xff_b300));
+        assert!(defaults(Dialect::Iso).colours.is_empty());
+    }
 
     #[test]
     fn ncar_starts_with_solid_areas() {
