@@ -3,11 +3,10 @@
 use crate::gks::{OpenWorkstation, device_error};
 use crate::input::Devices;
 use crate::metafile::Items;
-use crate::{Defaults, Error, Function, Gks, OperatingState, Result};
+use crate::{Error, Function, Gks, OperatingState, Result};
 use gks_pipeline::description::{Category, DeferralMode, OpenError, RegenerationMode};
 use gks_pipeline::generated::numbers;
 use gks_pipeline::record::Record;
-use gks_pipeline::tables::Tables;
 use gks_pipeline::workstation::Workstation;
 
 impl Gks {
@@ -58,8 +57,7 @@ impl Gks {
             return Err(Error::new(42, F));
         }
         let (device, description) = self.catalogue.open(kind, connection).map_err(|e| open_error(F, &e))?;
-        let Defaults { substitutes, marker_scale, .. } = self.defaults;
-        let tables = Tables { substitutes, marker_scale, ..Tables::predefined() };
+        let tables = self.defaults.tables.clone();
         let input = Devices::new(&description);
         let workstation = Workstation::new(device, description, tables);
         let connection = connection.to_owned();

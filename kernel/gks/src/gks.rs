@@ -10,6 +10,7 @@ use gks_pipeline::description::Catalogue;
 use gks_pipeline::item::{Item, Shape};
 use gks_pipeline::look::Look;
 use gks_pipeline::segment::Segments;
+use gks_pipeline::tables::Tables;
 use gks_pipeline::workstation::Workstation;
 use std::collections::BTreeMap;
 
@@ -70,17 +71,16 @@ pub(crate) struct OpenSegment {
 pub struct Defaults {
     /// The attributes that OPEN GKS sets.
     pub look: Look,
-    /// Fonts that every workstation draws with another one in their place: pairs of a font number and its
-    /// substitute.
-    pub substitutes: &'static [(i32, i32)],
-    /// The nominal marker size of every workstation as a multiple of the usual one.
-    pub marker_scale: f64,
+    /// The tables that OPEN WORKSTATION sets.
+    pub tables: Tables,
+    /// The least number that is the name of a segment.
+    pub first_segment: i32,
 }
 
 impl Default for Defaults {
     /// The library's own choice: aspect source flags INDIVIDUAL, interior style HOLLOW.
     fn default() -> Self {
-        Defaults { look: Look::default(), substitutes: &[], marker_scale: 1.0 }
+        Defaults { look: Look::default(), tables: Tables::predefined(), first_segment: 1 }
     }
 }
 
