@@ -3,13 +3,12 @@
 use crate::gks::{OpenWorkstation, device_error};
 use crate::input::Devices;
 use crate::metafile::Items;
-use crate::{Defaults, Error, Function, Gks, OperatingState, Result};
+use crate::{Error, Function, Gks, OperatingState, Result};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::description::{Category, DeferralMode, OpenError, RegenerationMode};
 use gks_pipeline::generated::numbers;
 use gks_pipeline::input::InputClass;
 use gks_pipeline::record::Record;
-use gks_pipeline::tables::Tables;
 use gks_pipeline::workstation::Workstation;
 
 impl Gks {
@@ -60,12 +59,11 @@ impl Gks {
             return Err(Error::new(42, F));
         }
         let (device, description) = self.catalogue.open(kind, connection).map_err(|e| open_error(F, &e))?;
-        let Defaults { substitutes, marker_scale, colours, .. } = self.defaults;
-        let mut tables = Tables { substitutes, marker_scale, ..Tables::predefined() };
+        let mut tables = self.defaults.tables.clone();
         // Who reads a metafile begins with colours of his own.
         let is_metafile = description.category == Category::MetafileOutput;
         let most = description.colour_table_length() as usize;
-        let colours = (0..).zip(colours.iter().take(most).map(|&colour| Colour::from_packed(colour)));
+        let colours = (0..).zip(self.defaults.colours.iter().take(most).map(|&colour| Colour::from_packed(colour)));
         for (index, colour) in colours.clone().filter(|_| !is_metafile) {
             tables.colours.set(index, colour);
         }
