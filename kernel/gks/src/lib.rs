@@ -24,7 +24,7 @@ mod segment;
 mod test_device;
 mod workstation_transformation;
 
-pub use crate::data_record::{DataRecord, Line};
+pub use crate::data_record::{DataRecord, GivenRecord, Line};
 pub use crate::error::{Error, Result};
 pub use crate::generated::function::{Function, Level, OperatingState, StateMask};
 pub use crate::gks::{Defaults, Gks, MessageHandler};

@@ -229,7 +229,7 @@ impl Painter {
             Visibility::Crossing => true,
         };
         let bundle = canvas.tables.fill(look);
-        let paint = canvas.tables.paint(bundle.colour);
+        let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.areas);
         match bundle.interior {
             InteriorStyle::Solid => self.solid(rings, Rule::EvenOdd, paint, clip, canvas),
             InteriorStyle::Pattern => {
@@ -428,6 +428,6 @@ fn resolve_pen<'d>(look: &Look, canvas: &Canvas<'_>, dash: &'d mut Dash) -> Pen<
         dash.lengths.clear();
         dash.lengths.extend(lower::line::dashes(bundle.linetype).iter().map(|d| d * unit));
     }
-    let paint = canvas.tables.paint(bundle.colour);
+    let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.lines);
     Pen { paint, width: dash.width, dash: &dash.lengths, cap: look.cap, join: look.join }
 }
