@@ -106,7 +106,10 @@ impl Gks {
         let map = self.normalization.map.0;
         let paths = &mut self.paths;
         paths.clear();
-        paths.points.reserve(points.len());
+        if points.add_mapped(&map, &mut paths.points) {
+            return paths.end_or_drop(least);
+        }
+        paths.clear();
         points.for_each(|p| {
             let p = map.transform_point2(p);
             if p.is_finite() {

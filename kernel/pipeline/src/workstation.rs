@@ -218,17 +218,17 @@ impl Workstation {
     /// Draws a primitive that is in no segment.
     pub fn draw(&mut self, item: &Item<'_>) -> Result<(), DeviceError> {
         self.loose = true;
-        self.paint(item, &Map::IDENTITY, false)?;
+        self.paint(item, None, false)?;
         self.present()
     }
 
     /// Draws a primitive of the open segment, over what is there.
     pub fn draw_in_segment(&mut self, item: &Item<'_>, appearance: &Appearance) -> Result<(), DeviceError> {
         if appearance.highlighted && !self.is_recorder() {
-            self.paint(item, &appearance.transformation, true)?;
+            self.paint(item, Some(&appearance.transformation), true)?;
         }
         self.kept = true;
-        self.paint(item, &appearance.transformation, false)?;
+        self.paint(item, Some(&appearance.transformation), false)?;
         self.present()
     }
 
@@ -247,7 +247,7 @@ impl Workstation {
             for item in &segment.recording {
                 copy.clear();
                 copy.push_mapped(&item, &segment.appearance.transformation);
-                copy.iter().try_for_each(|item| self.paint(&item, &Map::IDENTITY, false))?;
+                copy.iter().try_for_each(|item| self.paint(&item, None, false))?;
             }
             return Ok(());
         }
@@ -256,16 +256,17 @@ impl Workstation {
         drawn.and(self.present())
     }
 
+    /// Paints an item, moved by a segment transformation if there is one.
     fn paint(
         &mut self,
         item: &Item<'_>,
-        transformation: &Map<Ndc, Ndc>,
+        transformation: Option<&Map<Ndc, Ndc>>,
         glow: bool,
     ) -> Result<(), DeviceError> {
         self.begin_page()?;
         self.empty = false;
         if let Some(copied) = &mut self.copied {
-            copied.push_mapped(item, transformation);
+            copied.push_mapped(item, transformation.unwrap_or(&Map::IDENTITY));
         }
         let Workstation { backend, description, tables, painter, map, current, .. } = self;
         let device = match backend {
@@ -277,7 +278,7 @@ impl Workstation {
             device,
             surface: &description.surface,
             tables,
-            map: transformation.then(map),
+            map: transformation.map_or(*map, |transformation| transformation.then(map)),
             clip_map: *map,
             glow,
             window: current.window,
@@ -348,9 +349,9 @@ impl Workstation {
         let Appearance { transformation, highlighted } = appearance;
         let mut items = segment.recording.iter();
         if *highlighted && !self.is_recorder() {
-            items.clone().try_for_each(|item| self.paint(&item, transformation, true))?;
+            items.clone().try_for_each(|item| self.paint(&item, Some(transformation), true))?;
         }
-        items.try_for_each(|item| self.paint(&item, transformation, false))
+        items.try_for_each(|item| self.paint(&item, Some(transformation), false))
     }
 
     /// Makes all that was drawn visible; draws the picture again if that is necessary and `perform` is set,
