@@ -225,7 +225,8 @@ impl Device for TestDevice {
         if self.broken {
             return Err(io::Error::other("the device is broken").into());
         }
-        self.log.push(Event::Draw(keep(&mark.form), mark.clip));
+        let Some(drawing) = keep(&mark.form) else { return Ok(Drawn::No) };
+        self.log.push(Event::Draw(drawing, mark.clip));
         Ok(Drawn::Yes)
     }
 
@@ -244,7 +245,8 @@ impl Device for TestDevice {
     }
 }
 
-fn keep(form: &Form<'_>) -> Drawing {
+/// A form as it is kept; none if it is refused.
+fn keep(form: &Form<'_>) -> Option<Drawing> {
     let paths = |p: &Paths<'_, Du>| p.iter().map(<[DVec2]>::to_vec).collect::<Vec<_>>();
     let stroke = |p: &Pen<'_>| Stroke {
         paint: p.paint,
@@ -257,7 +259,8 @@ fn keep(form: &Form<'_>) -> Drawing {
         columns: g.columns,
         indices: g.paints.iter().map(|paint| paint.index).collect(),
     };
-    match form {
+    let drawing = match form {
+        Form::LongLine(..) => return None,
         Form::Lines(p, pen) => Drawing::Lines(paths(p), stroke(pen)),
         Form::Area(p, rule, Fill::Solid(paint)) => Drawing::Area(paths(p), *rule, *paint),
         Form::Area(p, _, Fill::Pattern(place, grid)) => Drawing::Patterned(paths(p), *place, table(grid)),
@@ -268,7 +271,8 @@ fn keep(form: &Form<'_>) -> Drawing {
         Form::Stroke(Curve::Bezier(p), pen) => Drawing::Bezier(p.to_vec(), stroke(pen)),
         Form::Filled(Curve::Ellipse(e), paint) => Drawing::FilledEllipse(*e, *paint),
         Form::Filled(Curve::Bezier(p), paint) => Drawing::FilledBezier(p.to_vec(), *paint),
-    }
+    };
+    Some(drawing)
 }
 
 /// A frame buffer of 1000 x 500 pixels that numbers them row by row, modulo 256.
