@@ -177,3 +177,33 @@ fn at_least(function: Function, points: &Points<'_>, least: usize) -> Result<()>
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::LONG;
+    use crate::test_device::{Drawing, INDEXED, PLAIN, TRUE_COLOUR, active};
+
+    #[test]
+    fn long_polylines_are_held_only_by_those_who_want_to() {
+        let points: Vec<(f64, f64)> = (0..LONG).map(|i| (i as f64 / LONG as f64, 0.25)).collect();
+        let (mut gks, log) = active(&[INDEXED, PLAIN, TRUE_COLOUR]);
+        gks.polyline(&points[1..]).unwrap();
+        let held: Vec<_> = log.marks().into_iter().map(|(drawing, _)| drawing).collect();
+        gks.polyline(&points).unwrap();
+        let long: Vec<_> = log.marks().into_iter().map(|(drawing, _)| drawing).collect();
+        assert_eq!((held.len(), long.len()), (3, 3));
+        for (workstation, (held, long)) in held.iter().zip(&long).enumerate() {
+            let Drawing::Lines(held, _) = held else { panic!("a short line should be held") };
+            let long = match (workstation, long) {
+                (1, Drawing::LongLine(paths, _)) | (0 | 2, Drawing::Lines(paths, _)) => paths,
+                _ => panic!("workstation {workstation} was not asked for what it can do"),
+            };
+            assert_eq!((long.len(), long[0].len()), (1, LONG));
+            assert_eq!(held[0], long[0][1..]);
+        }
+        gks.create_segment(1).unwrap();
+        gks.polyline(&points).unwrap();
+        assert!(log.marks().iter().all(|(drawing, _)| matches!(drawing, Drawing::Lines(..))));
+        gks.close_segment().unwrap();
+    }
+}

@@ -1,7 +1,7 @@
 //! Devices for tests: they draw nothing and record what they are asked to draw.
 
 use crate::{Gks, Result};
-use gks_geometry::{Du, Paths, Rect};
+use gks_geometry::{Du, PathBuf, Paths, Rect};
 use gks_pipeline::colour::{Colour, Paint};
 use gks_pipeline::description::{
     Catalogue, Category, Classification, DeferralMode, Description, DynamicModification,
@@ -42,6 +42,7 @@ pub(crate) enum Event {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Drawing {
     Lines(Vec<Vec<DVec2>>, Stroke),
+    LongLine(Vec<Vec<DVec2>>, Stroke),
     Area(Vec<Vec<DVec2>>, Rule, Paint),
     Patterned(Vec<Vec<DVec2>>, Parallelogram<Du>, Table),
     Markers(Vec<DVec2>, MarkerStyle),
@@ -225,8 +226,10 @@ impl Device for TestDevice {
         if self.broken {
             return Err(io::Error::other("the device is broken").into());
         }
-        let Some(drawing) = keep(&mark.form) else { return Ok(Drawn::No) };
-        self.log.push(Event::Draw(drawing, mark.clip));
+        if matches!(mark.form, Form::LongLine(..)) && self.pixels.is_some() {
+            return Ok(Drawn::No);
+        }
+        self.log.push(Event::Draw(keep(&mark.form), mark.clip));
         Ok(Drawn::Yes)
     }
 
@@ -245,8 +248,7 @@ impl Device for TestDevice {
     }
 }
 
-/// A form as it is kept; none if it is refused.
-fn keep(form: &Form<'_>) -> Option<Drawing> {
+fn keep(form: &Form<'_>) -> Drawing {
     let paths = |p: &Paths<'_, Du>| p.iter().map(<[DVec2]>::to_vec).collect::<Vec<_>>();
     let stroke = |p: &Pen<'_>| Stroke {
         paint: p.paint,
@@ -259,8 +261,12 @@ fn keep(form: &Form<'_>) -> Option<Drawing> {
         columns: g.columns,
         indices: g.paints.iter().map(|paint| paint.index).collect(),
     };
-    let drawing = match form {
-        Form::LongLine(..) => return None,
+    match form {
+        Form::LongLine(line, pen) => {
+            let mut whole = PathBuf::new();
+            whole.add_pieces(line);
+            Drawing::LongLine(paths(&whole.as_paths()), stroke(pen))
+        }
         Form::Lines(p, pen) => Drawing::Lines(paths(p), stroke(pen)),
         Form::Area(p, rule, Fill::Solid(paint)) => Drawing::Area(paths(p), *rule, *paint),
         Form::Area(p, _, Fill::Pattern(place, grid)) => Drawing::Patterned(paths(p), *place, table(grid)),
@@ -271,8 +277,7 @@ fn keep(form: &Form<'_>) -> Option<Drawing> {
         Form::Stroke(Curve::Bezier(p), pen) => Drawing::Bezier(p.to_vec(), stroke(pen)),
         Form::Filled(Curve::Ellipse(e), paint) => Drawing::FilledEllipse(*e, *paint),
         Form::Filled(Curve::Bezier(p), paint) => Drawing::FilledBezier(p.to_vec(), *paint),
-    };
-    Some(drawing)
+    }
 }
 
 /// A frame buffer of 1000 x 500 pixels that numbers them row by row, modulo 256.
