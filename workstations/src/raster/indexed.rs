@@ -4,7 +4,7 @@
 use super::cells::{self, CellMap};
 use super::clip::Window;
 use super::describe::{Layout, SizeError};
-use super::encode::{self, Format, Samples};
+use super::encode::{self, Care, Format, Samples};
 use super::look_up_table::LookUpTable;
 use super::wide_line::Shape;
 use crate::options::Options;
@@ -37,7 +37,7 @@ pub struct Indexed {
     pixels: Vec<u8>,
     table: LookUpTable,
     background: Option<Colour>,
-    quality: u8,
+    care: Care,
     output: Option<(Box<dyn Sink>, Format)>,
     edges: EdgeTable,
 }
@@ -55,7 +55,7 @@ impl Indexed {
             pixels: vec![0; layout.pixels()],
             table: LookUpTable::default(),
             background: if options.transparent { Some(clear) } else { options.background },
-            quality: options.quality.unwrap_or(90),
+            care: Care::of(options),
             output,
             edges: EdgeTable::new(),
         })
@@ -273,7 +273,7 @@ impl Device for Indexed {
     fn end(&mut self) -> Result<(), DeviceError> {
         let Some((sink, format)) = &mut self.output else { return Ok(()) };
         let samples = Samples::Palette(&self.pixels, &self.table.to_bytes());
-        encode::write(samples, self.layout, *format, self.quality, sink.as_mut())
+        encode::write(samples, self.layout, *format, self.care, sink.as_mut())
     }
 
     fn close(&mut self) -> Result<(), DeviceError> {

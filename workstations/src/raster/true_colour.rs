@@ -5,7 +5,7 @@ use super::clip::Window;
 use super::composite::{Pixel, colour, over, pixel, skia};
 use super::curve::Outline;
 use super::describe::{Layout, SizeError};
-use super::encode::{self, Format, Samples};
+use super::encode::{self, Care, Format, Samples};
 use super::pattern;
 use super::stroke::{Stroker, visible_width};
 use crate::options::Options;
@@ -36,7 +36,7 @@ pub struct TrueColour {
     /// Whether every pixel is opaque.
     opaque: bool,
     antialias: bool,
-    quality: u8,
+    care: Care,
     output: Option<(Box<dyn Sink>, Format)>,
 }
 
@@ -81,7 +81,7 @@ impl TrueColour {
             transparent: options.transparent,
             opaque: false,
             antialias: options.antialias.unwrap_or(true),
-            quality: options.quality.unwrap_or(90),
+            care: Care::of(options),
             output,
         })
     }
@@ -95,14 +95,11 @@ impl TrueColour {
     pub fn write(&self, sink: &mut dyn Sink, format: Format) -> Result<(), DeviceError> {
         let canvas = lock(&self.canvas);
         let samples = if self.opaque {
-            let mut rgb = Vec::with_capacity(self.layout.pixels() * 3);
-            rgb.extend(canvas.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]));
-            Samples::Rgb(rgb)
+            Samples::Opaque(canvas.data())
         } else {
             Samples::Rgba(canvas.clone().take_demultiplied())
         };
-        drop(canvas);
-        encode::write(samples, self.layout, format, self.quality, sink)
+        encode::write(samples, self.layout, format, self.care, sink)
     }
 
     fn fill(&self, outline: Outline, rule: FillRule, colour: Colour) {
