@@ -197,9 +197,9 @@ mod tests {
         assert_eq!((held.len(), long.len()), (3, 3));
         for (workstation, (held, long)) in held.iter().zip(&long).enumerate() {
             let Drawing::Lines(held, _) = held else { panic!("a short line should be held") };
-            let long = match (workstation, long) {
-                (1, Drawing::LongLine(paths, _)) | (0 | 2, Drawing::Lines(paths, _)) => paths,
-                _ => panic!("workstation {workstation} was not asked for what it can do"),
+            let ((1, Drawing::LongLine(long, _)) | (0 | 2, Drawing::Lines(long, _))) = (workstation, long)
+            else {
+                panic!("workstation {workstation} was not asked for what it can do")
             };
             assert_eq!((long.len(), long[0].len()), (1, LONG));
             assert_eq!(held[0], long[0][1..]);

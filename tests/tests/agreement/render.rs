@@ -338,7 +338,7 @@ impl Limited {
         let mut mark = mark.clone();
         match &mut mark.form {
             Form::Lines(_, pen) | Form::LongLine(_, pen) | Form::Stroke(_, pen) => {
-                pen.paint = one(&pen.paint)
+                pen.paint = one(&pen.paint);
             }
             Form::Area(_, _, Fill::Solid(paint)) | Form::Filled(_, paint) => *paint = one(paint),
             Form::Area(_, _, Fill::Pattern(_, grid)) | Form::Cells(_, grid) => grid.paints = &paints,
