@@ -7,7 +7,7 @@ mod request;
 
 use crate::answer::{Clear, Output, TOO_SMALL};
 use crate::argument::{Argument, Character, Enumeration, Integer, Real, integer};
-use crate::data_record::{LINE, lines};
+use crate::data_record::LINE;
 use gks::{
     DataRecord, Error, Function, InputClass, InputStatus, LocatorValue, OperatingMode, PickValue, StrokeValue,
 };
