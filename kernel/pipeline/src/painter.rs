@@ -229,7 +229,7 @@ impl Painter {
             Visibility::Crossing => true,
         };
         let bundle = canvas.tables.fill(look);
-        let paint = canvas.tables.paint(bundle.colour);
+        let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.areas);
         match bundle.interior {
             InteriorStyle::Solid => self.solid(rings, Rule::EvenOdd, paint, clip, canvas),
             InteriorStyle::Pattern => {
@@ -414,5 +414,6 @@ fn resolve_pen<'d>(look: &Look, canvas: &Canvas<'_>, dash: &'d mut Vec<f64>) -> 
     // Dashes of wide lines grow with the width, or they would merge.
     let unit = nominal.max(width * 0.5);
     dash.extend(lower::line::dashes(bundle.linetype).iter().map(|d| d * unit));
-    Pen { paint: canvas.tables.paint(bundle.colour), width, dash, cap: look.cap, join: look.join }
+    let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.lines);
+    Pen { paint, width, dash, cap: look.cap, join: look.join }
 }
