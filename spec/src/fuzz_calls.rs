@@ -92,18 +92,20 @@ fn argument(parameter: &Parameter, has_arrays: bool, values: impl Fn(&str) -> us
         ("I", ..) if is_array => "integers()",
         ("R", ..) if is_array => "reals()",
         ("R", "TOUT", _) => "timeout()",
+        ("R", "XMIN" | "YMIN", _) => "lower_limit()",
         ("R", ..) => "real()",
         (_, "WTYPE", _) => "workstation_type()",
         (_, "WKID", _) => "among(1, 7)",
         (_, "CONID", _) => "among(1, 9)",
         (_, "SGNA" | "ISGNA" | "OLD" | "NEW", _) => "among(1, 4)",
         (_, "LCDNR" | "SKDNR" | "VLDNR" | "CHDNR" | "PKDNR" | "STDNR" | "IDNR" | "DEVNO", _) => "among(1, 2)",
-        (_, "PRIMID", _) => "among(-10, 10)",
+        (_, "PET", _) => "among(1, 4)",
+        (_, "PRIMID" | "GDP", _) => "among(-10, 10)",
         (_, "FCTID", _) => "among(-3005, 5)",
-        (_, name, _) => match &parameter.enumeration {
+        _ => match &parameter.enumeration {
             Some(enumeration) => return format!("a.among(0, {})", values(enumeration)),
             // A number of points or of elements; the others are no sizes of arrays.
-            None if has_arrays && name != "PET" => "count()",
+            None if has_arrays => "count()",
             None => "integer()",
         },
     };

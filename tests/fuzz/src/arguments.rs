@@ -50,9 +50,9 @@ impl<'a> Arguments<'a> {
         }
     }
 
-    /// Whether nothing is left to draw from.
-    pub fn is_exhausted(&self) -> bool {
-        self.input.is_empty()
+    /// How many bytes are left to draw from.
+    pub fn left(&self) -> usize {
+        self.input.len()
     }
 
     /// A number below `limit`, to choose among subroutines.
@@ -145,9 +145,9 @@ impl<'a> Arguments<'a> {
     /// A workstation type; none that waits for a person.
     pub fn workstation_type(&mut self) -> *mut i32 {
         let byte = usize::from(self.byte());
-        let value = match WORKSTATION_TYPES.get(byte) {
-            Some(kind) => kind.number,
-            None => self.draw_integer(),
+        let value = match byte {
+            0..240 => WORKSTATION_TYPES[byte % WORKSTATION_TYPES.len()].number,
+            _ => self.draw_integer(),
         };
         self.variable(if (own::WINDOW..own::SCRIPTED).contains(&value) { own::NULL } else { value })
     }
@@ -188,6 +188,17 @@ impl<'a> Arguments<'a> {
         let value = self.draw_real();
         let at = self.next(1);
         self.reals[at] = value;
+        &raw mut self.reals[at]
+    }
+
+    /// The lower limit of a rectangle, mostly 0.
+    pub fn lower_limit(&mut self) -> *mut f32 {
+        let byte = self.byte();
+        if byte >= 160 {
+            return self.real();
+        }
+        let at = self.next(1);
+        self.reals[at] = 0.0;
         &raw mut self.reals[at]
     }
 
@@ -240,10 +251,12 @@ impl<'a> Arguments<'a> {
         &raw mut self.characters[at]
     }
 
-    /// A script for an operator: steps for the first two input devices of each class.
+    /// A script for an operator: steps for the first two input devices of each class, once or so often that their
+    /// events fill the queue.
     pub fn script(&mut self) -> String {
         let mut script = String::new();
-        for _ in 0..self.byte() % 32 {
+        let length = self.byte();
+        for _ in 0..length % 32 {
             let byte = self.byte();
             let (device, at) = (byte / 16 % 2 + 1, f32::from(byte / 32) / 8.0);
             let step = match byte % 16 {
@@ -262,6 +275,6 @@ impl<'a> Arguments<'a> {
             script += &step;
             script.push('\n');
         }
-        script
+        script.repeat(if length < 224 { 1 } else { 64 })
     }
 }

@@ -5,6 +5,7 @@ use crate::generated::{SUBROUTINES, gacwk_, geclks_, gopks_, gopwk_};
 use gks_pipeline::generated::numbers::workstation_type as own;
 use std::ffi::c_int;
 use std::fs;
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, Once, PoisonError};
 
@@ -49,16 +50,27 @@ pub fn subroutines() -> impl Iterator<Item = &'static str> {
     SUBROUTINES.iter().map(|subroutine| subroutine.name)
 }
 
-/// Makes the calls that `input` says, from OPEN GKS to EMERGENCY CLOSE GKS.
-pub fn run(input: &[u8]) {
-    run_and_tell(input, |_, _| {});
+/// A call that has been made.
+#[derive(Clone, Copy, Debug)]
+pub struct Call {
+    /// The name of the subroutine.
+    pub name: &'static str,
+    /// Whether it has met no error.
+    pub good: bool,
+    /// How many bytes of the input are left for the calls after it.
+    pub left: usize,
 }
 
-/// [`run`], telling for every call the name of the subroutine and whether it has met no error.
+/// Makes the calls that `input` says, from OPEN GKS to EMERGENCY CLOSE GKS.
+pub fn run(input: &[u8]) {
+    run_and_tell(input, |_| ControlFlow::Continue(()));
+}
+
+/// [`run`], telling every call, until `tell` breaks it off.
 ///
 /// Files go to a directory of its own, which is empty at first but for a metafile and a script; display surfaces are
 /// small. With `GKS_FUZZ_TRACE` in the environment the names of the subroutines are printed before they are called.
-pub fn run_and_tell(input: &[u8], mut tell: impl FnMut(&'static str, bool)) {
+pub fn run_and_tell(input: &[u8], mut tell: impl FnMut(Call) -> ControlFlow<()>) {
     static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
     let _turn = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
     prepare();
@@ -80,7 +92,7 @@ pub fn run_and_tell(input: &[u8], mut tell: impl FnMut(&'static str, bool)) {
         }
     }
     for _ in 0..CALLS {
-        if arguments.is_exhausted() {
+        if arguments.left() == 0 {
             break;
         }
         let chosen = &SUBROUTINES[arguments.choose(SUBROUTINES.len())];
@@ -89,7 +101,10 @@ pub fn run_and_tell(input: &[u8], mut tell: impl FnMut(&'static str, bool)) {
         }
         REPORTED.store(false, Ordering::Relaxed);
         (chosen.call)(&mut arguments);
-        tell(chosen.name, !REPORTED.load(Ordering::Relaxed) && arguments.last_indicator() == 0);
+        let good = !REPORTED.load(Ordering::Relaxed) && arguments.last_indicator() == 0;
+        if tell(Call { name: chosen.name, good, left: arguments.left() }).is_break() {
+            break;
+        }
     }
     // SAFETY: no arguments.
     unsafe { geclks_() };

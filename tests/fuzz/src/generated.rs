@@ -338,9 +338,9 @@ pub(crate) static SUBROUTINES: &[Subroutine] = &[
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSCR", call: |a| unsafe { gscr_(a.among(1, 7), a.integer(), a.real(), a.real(), a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSWN", call: |a| unsafe { gswn_(a.integer(), a.real(), a.real(), a.real(), a.real()) } },
+    Subroutine { name: "GSWN", call: |a| unsafe { gswn_(a.integer(), a.lower_limit(), a.real(), a.lower_limit(), a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSVP", call: |a| unsafe { gsvp_(a.integer(), a.real(), a.real(), a.real(), a.real()) } },
+    Subroutine { name: "GSVP", call: |a| unsafe { gsvp_(a.integer(), a.lower_limit(), a.real(), a.lower_limit(), a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSVPIP", call: |a| unsafe { gsvpip_(a.integer(), a.integer(), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
@@ -348,9 +348,9 @@ pub(crate) static SUBROUTINES: &[Subroutine] = &[
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSCLIP", call: |a| unsafe { gsclip_(a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSWKWN", call: |a| unsafe { gswkwn_(a.among(1, 7), a.real(), a.real(), a.real(), a.real()) } },
+    Subroutine { name: "GSWKWN", call: |a| unsafe { gswkwn_(a.among(1, 7), a.lower_limit(), a.real(), a.lower_limit(), a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSWKVP", call: |a| unsafe { gswkvp_(a.among(1, 7), a.real(), a.real(), a.real(), a.real()) } },
+    Subroutine { name: "GSWKVP", call: |a| unsafe { gswkvp_(a.among(1, 7), a.lower_limit(), a.real(), a.lower_limit(), a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GCRSG", call: |a| unsafe { gcrsg_(a.among(1, 4)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
@@ -378,19 +378,19 @@ pub(crate) static SUBROUTINES: &[Subroutine] = &[
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSDTEC", call: |a| unsafe { gsdtec_(a.among(1, 4), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINLC", call: |a| unsafe { ginlc_(a.among(1, 7), a.among(1, 2), a.count(), a.real(), a.real(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.count(), a.record(), Arguments::LENGTH) } },
+    Subroutine { name: "GINLC", call: |a| unsafe { ginlc_(a.among(1, 7), a.among(1, 2), a.count(), a.real(), a.real(), a.among(1, 4), a.lower_limit(), a.real(), a.lower_limit(), a.real(), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINSK", call: |a| unsafe { ginsk_(a.among(1, 7), a.among(1, 2), a.count(), a.count(), a.reals(), a.reals(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.count(), a.count(), a.record(), Arguments::LENGTH) } },
+    Subroutine { name: "GINSK", call: |a| unsafe { ginsk_(a.among(1, 7), a.among(1, 2), a.count(), a.count(), a.reals(), a.reals(), a.among(1, 4), a.lower_limit(), a.real(), a.lower_limit(), a.real(), a.count(), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINVL", call: |a| unsafe { ginvl_(a.among(1, 7), a.among(1, 2), a.real(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.real(), a.real(), a.count(), a.record(), Arguments::LENGTH) } },
+    Subroutine { name: "GINVL", call: |a| unsafe { ginvl_(a.among(1, 7), a.among(1, 2), a.real(), a.among(1, 4), a.lower_limit(), a.real(), a.lower_limit(), a.real(), a.real(), a.real(), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINCH", call: |a| unsafe { ginch_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.count(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.count(), a.record(), Arguments::LENGTH) } },
+    Subroutine { name: "GINCH", call: |a| unsafe { ginch_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.count(), a.among(1, 4), a.lower_limit(), a.real(), a.lower_limit(), a.real(), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINPK", call: |a| unsafe { ginpk_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.among(1, 4), a.count(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.count(), a.record(), Arguments::LENGTH) } },
+    Subroutine { name: "GINPK", call: |a| unsafe { ginpk_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.among(1, 4), a.count(), a.among(1, 4), a.lower_limit(), a.real(), a.lower_limit(), a.real(), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINST", call: |a| unsafe { ginst_(a.among(1, 7), a.among(1, 2), a.count(), a.characters(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.count(), a.count(), a.count(), a.record(), Arguments::LENGTH, Arguments::LENGTH) } },
+    Subroutine { name: "GINST", call: |a| unsafe { ginst_(a.among(1, 7), a.among(1, 2), a.count(), a.characters(), a.among(1, 4), a.lower_limit(), a.real(), a.lower_limit(), a.real(), a.count(), a.count(), a.count(), a.record(), Arguments::LENGTH, Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINSTS", call: |a| unsafe { ginsts_(a.among(1, 7), a.among(1, 2), a.count(), a.characters(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.count(), a.count(), a.count(), a.record(), Arguments::LENGTH, Arguments::LENGTH) } },
+    Subroutine { name: "GINSTS", call: |a| unsafe { ginsts_(a.among(1, 7), a.among(1, 2), a.count(), a.characters(), a.among(1, 4), a.lower_limit(), a.real(), a.lower_limit(), a.real(), a.count(), a.count(), a.count(), a.record(), Arguments::LENGTH, Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSLCM", call: |a| unsafe { gslcm_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
@@ -628,7 +628,7 @@ pub(crate) static SUBROUTINES: &[Subroutine] = &[
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GQEGDP", call: |a| unsafe { gqegdp_(a.workstation_type(), a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQGDP", call: |a| unsafe { gqgdp_(a.workstation_type(), a.count(), a.indicator(), a.output_integers(), a.output_integers()) } },
+    Subroutine { name: "GQGDP", call: |a| unsafe { gqgdp_(a.workstation_type(), a.among(-10, 10), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GQLWK", call: |a| unsafe { gqlwk_(a.workstation_type(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
