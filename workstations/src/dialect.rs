@@ -151,6 +151,17 @@ impl Dialect {
         }
     }
 
+    /// The type of the metafile that a program writes into a file of this name, where the dialect has one type for metafiles
+    /// and pictures; none for a picture. XGKS calls its GKSM what Ferret does, `.plt`.
+    pub fn metafile_of(self, name: &str) -> Option<i32> {
+        let extension = crate::sink::extension(name)?.to_ascii_lowercase();
+        match (self, extension.as_str()) {
+            (Dialect::Xgks, "gksm" | "gkm" | "plt") => Some(own::GKSM),
+            (Dialect::Xgks, "cgm") => Some(own::CGM),
+            _ => None,
+        }
+    }
+
     /// What a number is in the dialect, if it is one of its numbers.
     pub(crate) fn find(self, number: i32) -> Option<&'static Foreign> {
         self.table().iter().find(|f| (f.first..=f.last).contains(&number))
@@ -168,6 +179,16 @@ mod tests {
             assert!(table.iter().all(|f| 0 < f.first && f.first <= f.last), "{dialect:?}");
             assert!(table.windows(2).all(|w| w[0].last < w[1].first), "{dialect:?}");
         }
+    }
+
+    #[test]
+    fn programs_of_xgks_name_their_metafiles() {
+        let of = |name| Dialect::Xgks.metafile_of(name);
+        assert_eq!(of("d.x/plot.GKSM"), Some(own::GKSM));
+        assert_eq!(of("metafile.plt"), Some(own::GKSM));
+        assert_eq!(of("a.cgm"), Some(own::CGM));
+        assert_eq!((of("a.gif"), of("a.ps"), of("plot")), (None, None, None));
+        assert_eq!(Dialect::Iso.metafile_of("a.gksm"), None);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! What the environment of a process says about workstations.
 
 use crate::dialect::Dialect;
+use crate::options::split_connection;
 
 /// The environment of a process as far as it concerns workstations, as it was written: it is read and
 /// checked when a workstation is opened.
@@ -41,6 +42,14 @@ impl Environment {
             script: variable("GKS_SCRIPT"),
             dialect: variable("GKS_DIALECT"),
         }
+    }
+
+    /// The type of the metafile that a program writes by a connection, where it could also have been a picture; none for
+    /// a picture, and where the user has chosen what is written.
+    pub fn metafile_of(&self, connection: &str) -> Option<i32> {
+        let (name, _) = split_connection(connection);
+        let dialect = self.dialect().ok().filter(|_| self.wstype.is_none());
+        dialect.and_then(|dialect| dialect.metafile_of(name))
     }
 
     /// The dialect named, or a message that says what can be named.

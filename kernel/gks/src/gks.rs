@@ -52,6 +52,8 @@ pub(crate) struct OpenWorkstation {
     pub(crate) connection: String,
     pub(crate) kind: i32,
     pub(crate) active: bool,
+    /// Whether something of its segments has changed since it was last updated for input.
+    pub(crate) changed: bool,
     /// The logical input devices.
     pub(crate) input: Devices,
     /// The items of a metafile that is read.
@@ -75,12 +77,27 @@ pub struct Defaults {
     pub tables: Tables,
     /// The least number that is the name of a segment.
     pub first_segment: i32,
+    /// Whether INQUIRE TEXT EXTENT answers for metafiles too.
+    pub text_extent_of_metafiles: bool,
+    /// The colours of every workstation that are predefined in the place of the usual ones, from index 0 on: red, green and
+    /// blue of 8 bits each, as in 0xff8000 for orange.
+    pub colours: &'static [u32],
+    /// Whether REQUEST and SAMPLE show changes of segments first, as UPDATE WORKSTATION does. Those of a pick device do not,
+    /// since they need what is seen, nor does what only tables have changed.
+    pub updates_before_input: bool,
 }
 
 impl Default for Defaults {
     /// The library's own choice: aspect source flags INDIVIDUAL, interior style HOLLOW.
     fn default() -> Self {
-        Defaults { look: Look::default(), tables: Tables::predefined(), first_segment: 1 }
+        Defaults {
+            look: Look::default(),
+            tables: Tables::predefined(),
+            first_segment: 1,
+            text_extent_of_metafiles: false,
+            colours: &[],
+            updates_before_input: false,
+        }
     }
 }
 

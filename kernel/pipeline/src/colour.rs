@@ -37,6 +37,12 @@ impl Colour {
         (index & 3 << 30 == MARK).then(colour)
     }
 
+    /// The opaque colour of red, green and blue of 8 bits each, as in 0xff8000 for orange.
+    pub fn from_packed(rgb: u32) -> Self {
+        let [_, red, green, blue] = rgb.to_be_bytes().map(|byte| f32::from(byte) / 255.0);
+        Colour::rgb(red, green, blue)
+    }
+
     /// The four components as bytes, rounded to nearest.
     pub fn to_bytes(self) -> [u8; 4] {
         [self.red, self.green, self.blue, self.alpha].map(|c| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8)

@@ -46,6 +46,7 @@ impl Gks {
         if self.input_device(function, id, device)?.mode != OperatingMode::Request {
             return Err(Error::new(141, function));
         }
+        self.update_before_input(id, device.class)?;
         self.before_interaction(function, id)?;
         let failed = |error| device_error(function, &error);
         let Gks { workstations, normalization, .. } = self;

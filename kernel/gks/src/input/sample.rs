@@ -44,6 +44,7 @@ impl Gks {
             return Err(Error::new(142, function));
         }
         let initial = state.initial.clone();
+        self.update_before_input(id, device.class)?;
         self.before_interaction(function, id)?;
         let measure = match self.workstation_mut(function, id)?.workstation.input() {
             Some(operator) => operator.sample(device).map_err(|error| device_error(function, &error))?,

@@ -109,7 +109,10 @@ impl Gks {
     ) -> Result<()> {
         let mut done = Ok(());
         for id in on {
-            let Some(OpenWorkstation { workstation, .. }) = self.workstations.get_mut(&id) else { continue };
+            let Some(OpenWorkstation { workstation, changed, .. }) = self.workstations.get_mut(&id) else {
+                continue;
+            };
+            *changed = true;
             workstation.invalidate();
             let at_once = how(&workstation.description().segments) == DynamicModification::Imm
                 && workstation.is_new_frame_necessary();
