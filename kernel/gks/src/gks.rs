@@ -252,3 +252,9 @@ pub(crate) fn device_error(function: Function, error: &gks_pipeline::device::Dev
     };
     Error::new(number, function).because(error.to_string())
 }
+
+/// The error of the standard for an operator whose entries could not be received: 305.
+#[cold]
+pub(crate) fn receiving_error(function: Function, error: &gks_pipeline::device::DeviceError) -> Error {
+    Error::new(305, function).because(error.to_string())
+}

@@ -23,6 +23,17 @@ pub struct WorkstationTransformation {
     pub viewport: Rect<Dc>,
 }
 
+/// Where on the display surface of a workstation items appear.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub struct Place {
+    /// From NDC to device units.
+    map: Map<Ndc, Du>,
+    /// The same for clipping rectangles.
+    clip_map: Map<Ndc, Du>,
+    /// The part of NDC space that is shown.
+    window: Rect<Ndc>,
+}
+
 /// The pixels of a display surface and what is needed to understand them.
 pub struct ReadBack<'a> {
     /// The pixels of the current page, or none where nothing has been drawn on it and all pixels show the
@@ -317,24 +328,29 @@ impl Workstation {
         painter.paint(item, &mut canvas)
     }
 
-    /// Paints an item on another device as it would be drawn here, moved by a segment transformation.
+    /// Paints an item on another device as it would be drawn here at a place, or the band of its highlighting.
     pub(crate) fn paint_on(
         &mut self,
         device: &mut dyn Device,
         item: &Item<'_>,
-        transformation: &Map<Ndc, Ndc>,
+        place: &Place,
+        glow: bool,
     ) -> Result<(), DeviceError> {
-        let Workstation { description, tables, painter, map, current, .. } = self;
-        let mut canvas = Canvas {
-            device,
-            surface: &description.surface,
-            tables,
-            map: transformation.then(map),
-            clip_map: *map,
-            glow: false,
-            window: current.window,
-        };
-        painter.paint(item, &mut canvas)
+        let Workstation { description, tables, painter, .. } = self;
+        let Place { map, clip_map, window } = *place;
+        let surface = &description.surface;
+        painter.paint(item, &mut Canvas { device, surface, tables, map, clip_map, glow, window })
+    }
+
+    /// The place in the picture of what a segment transformation moves.
+    pub fn in_picture(&self, transformation: &Map<Ndc, Ndc>) -> Place {
+        Place { map: transformation.then(&self.map), clip_map: self.map, window: self.current.window }
+    }
+
+    /// The place of the unit square of NDC where it fills an area on the display surface, in metres.
+    pub fn in_area(&self, area: &Rect<Dc>) -> Place {
+        let map = Map::window_to_viewport(&Rect::UNIT, area).then(&self.to_units());
+        Place { map, clip_map: map, window: Rect::UNIT }
     }
 
     /// Clears the display surface if something is drawn on it, and lets the requested transformation take
@@ -500,17 +516,21 @@ impl Workstation {
     fn adopt_requested(&mut self) {
         self.current = self.requested;
         self.pending = false;
+        self.map = self.device_map().then(&self.to_units());
+    }
+
+    /// The map from metres on the display surface to device units.
+    fn to_units(&self) -> Map<Dc, Du> {
         let surface = &self.description.surface;
         let per_metre = 1.0 / surface.unit;
-        let to_units = if surface.y_down {
+        Map::from_affine(if surface.y_down {
             DAffine2::from_mat2_translation(
                 DMat2::from_diagonal(DVec2::new(per_metre, -per_metre)),
                 DVec2::new(0.0, surface.height),
             )
         } else {
             DAffine2::from_scale(DVec2::splat(per_metre))
-        };
-        self.map = self.device_map().then(&Map::from_affine(to_units));
+        })
     }
 
     /// Sets the colour of an index, as [`Workstation::represent`] does.
