@@ -16,7 +16,7 @@ use crate::tables::Tables;
 use gks_algorithms as algorithms;
 use gks_algorithms::clip::sutherland_hodgman;
 use gks_algorithms::fill::Hatch;
-use gks_geometry::{Du, Map, Ndc, PathBuf, Paths, Rect};
+use gks_geometry::{Du, LongLine, Map, Ndc, PathBuf, Paths, Rect};
 use glam::DVec2;
 
 /// The most dashes that one polyline is cut into; beyond, it is drawn solid.
@@ -119,6 +119,26 @@ impl Painter {
         self.mapped = mapped;
         self.dash = dash;
         done
+    }
+
+    /// Offers a long line as such, or not at all; a polyline is the same line.
+    pub(crate) fn long_line(
+        &mut self,
+        line: &LongLine<'_, Ndc>,
+        look: &Look,
+        clip: &Rect<Ndc>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<Drawn, DeviceError> {
+        let Some(clip) = clip.intersection(&canvas.window) else { return Ok(Drawn::Yes) };
+        let clip = canvas.clip_map.rect(&clip);
+        let line = line.mapped(&canvas.map);
+        let Some(bounds) = line.bounds() else { return Ok(Drawn::Yes) };
+        let crossing = match visibility(&bounds, &clip) {
+            Visibility::Hidden => return Ok(Drawn::Yes),
+            Visibility::Whole => None,
+            Visibility::Crossing => Some(clip),
+        };
+        self.with_pen(look, canvas, |_, pen, canvas| canvas.offer(Form::LongLine(line, *pen), crossing))
     }
 
     /// Draws lines inside of `clip`.

@@ -5,12 +5,13 @@ use crate::description::{DeferralMode, Description, DynamicModification, Regener
 use crate::device::{Device, DeviceError, Drawn, FrameBuffer, Page};
 use crate::input::Input;
 use crate::item::Item;
+use crate::look::Look;
 use crate::painter::{Canvas, Painter};
 use crate::record::{Record, Recorder, Source};
 use crate::recording::Recording;
 use crate::segment::{Appearance, Segment};
 use crate::tables::Tables;
-use gks_geometry::{Dc, Du, Map, Ndc, Point, Rect};
+use gks_geometry::{Dc, Du, LongLine, Map, Ndc, Point, Rect};
 use glam::{DAffine2, DMat2, DVec2};
 
 /// The window and the viewport of a workstation transformation.
@@ -220,6 +221,36 @@ impl Workstation {
         self.loose = true;
         self.paint(item, None, false)?;
         self.present()
+    }
+
+    /// Draws a long line that is in no segment, if it can be drawn without holding its points; else nothing
+    /// is drawn, and it has to come as a polyline.
+    pub fn draw_long_line(
+        &mut self,
+        line: &LongLine<'_, Ndc>,
+        look: &Look,
+        clip: &Rect<Ndc>,
+    ) -> Result<Drawn, DeviceError> {
+        if self.copied.is_some() || !matches!(self.backend, Backend::Device(_)) {
+            return Ok(Drawn::No);
+        }
+        self.loose = true;
+        self.begin_page()?;
+        self.empty = false;
+        let Workstation { backend, description, tables, painter, map, current, .. } = self;
+        let Backend::Device(device) = backend else { return Ok(Drawn::No) };
+        let mut canvas = Canvas {
+            device: &mut **device,
+            surface: &description.surface,
+            tables,
+            map: *map,
+            clip_map: *map,
+            glow: false,
+            window: current.window,
+        };
+        let drawn = painter.long_line(line, look, clip, &mut canvas)?;
+        self.present()?;
+        Ok(drawn)
     }
 
     /// Draws a primitive of the open segment, over what is there.
