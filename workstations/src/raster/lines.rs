@@ -23,6 +23,9 @@ const SHORT: usize = 4096;
 /// The most pixels for which samples are kept at a time: 16 MiB of them.
 const BAND: usize = 1 << 21;
 
+/// The widest line that is drawn by [`lone`], in pixels.
+const WIDEST_LONE: f64 = 2.0;
+
 /// The width that a line is drawn with: a pixel at least, unless it is meant to be fainter.
 fn visible_width(width: f64) -> f64 {
     if (0.5..1.0).contains(&width) { 1.0 } else { width.max(0.0) }
@@ -134,9 +137,6 @@ impl Once<'_> {
     }
 }
 
-/// The widest line that is drawn by [`lone`], in pixels.
-const WIDEST_LONE: f64 = 2.0;
-
 /// Draws one segment that lies inside of the bitmap, by how much of each pixel the line covers across its main
 /// direction; `false` if that is not the way to draw it.
 fn lone(
@@ -178,4 +178,80 @@ fn lone(
         }
     }
     true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gks_pipeline::colour::{Colour, Paint};
+
+    const BLACK: Paint = Paint { colour: Colour::BLACK, index: 1 };
+
+    fn drawn(path: &[DVec2], paint: Paint, width: f64, cap: Cap, join: Join) -> Vec<f64> {
+        let mut bitmap = Bitmap::new(100, 100);
+        bitmap.fill([255; 4]);
+        let pen = Pen { paint, width, dash: &[], cap, join };
+        Lines::new().draw(&mut bitmap, Paths::new(path, &[path.len() as u32]), &pen);
+        bitmap.pixels().iter().map(|p| 1.0 - f64::from(p[1]) / 255.0).collect()
+    }
+
+    fn ink(path: &[DVec2], width: f64, cap: Cap) -> f64 {
+        drawn(path, BLACK, width, cap, Join::Miter).iter().sum()
+    }
+
+    #[test]
+    fn a_line_keeps_its_weight_where_it_slants() {
+        let middle = DVec2::splat(50.3);
+        for degrees in 0..180 {
+            let reach = DVec2::from_angle(f64::from(degrees).to_radians()) * 30.0;
+            let (a, b) = (middle - reach, middle + reach);
+            for (path, width, cap) in [
+                (vec![a, b], 1.0, Cap::Butt),
+                (vec![a, middle, b], 1.0, Cap::Butt),
+                (vec![a, b], 1.7, Cap::Projecting),
+                (vec![a, b], 3.0, Cap::Butt),
+            ] {
+                let longer = if cap == Cap::Projecting { width } else { 0.0 };
+                let expected = (60.0 + longer) * width;
+                let found = ink(&path, width, cap);
+                assert!((found / expected - 1.0).abs() < 0.04, "{degrees} {width}: {found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_lone_segment_looks_like_one_of_many() {
+        for end in [(80.2, 31.7), (40.9, 88.8), (20.3, 60.1), (71.4, 20.2)] {
+            let (a, b) = (DVec2::new(20.3, 20.8), DVec2::from(end));
+            let lone = drawn(&[a, b], BLACK, 1.0, Cap::Butt, Join::Bevel);
+            let many = drawn(&[a, a.lerp(b, 0.4), b], BLACK, 1.0, Cap::Butt, Join::Bevel);
+            let far = lone.iter().zip(&many).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+            assert!(far < 0.3, "{b}: {far}");
+        }
+    }
+
+    #[test]
+    fn a_dense_curve_is_as_dark_as_its_outline_and_no_darker() {
+        // To and fro in a band of 5 by 50 pixels, in steps far smaller than a pixel.
+        let band: Vec<DVec2> = (0..60_000u32)
+            .map(|i| {
+                let y = 40.0 + f64::from(i * 7919 % 1009) / 1009.0 * 5.0;
+                DVec2::new(20.0 + 50.0 * f64::from(i) / 60_000.0, y)
+            })
+            .collect();
+        let found = ink(&band, 1.0, Cap::Butt);
+        assert!((found - 51.0 * 5.0).abs() < 6.0, "{found}");
+    }
+
+    #[test]
+    fn faint_and_translucent_lines_have_one_opacity() {
+        let half = Paint { colour: Colour { alpha: 0.5, ..Colour::BLACK }, index: 2 };
+        let zigzag: Vec<DVec2> =
+            [(20.0, 20.0), (70.0, 80.0), (70.0, 20.0), (20.0, 80.0), (20.0, 20.0)].map(DVec2::from).to_vec();
+        for (paint, width, darkest) in [(half, 5.0, 0.5), (BLACK, 0.3, 0.3), (half, 0.4, 0.2)] {
+            let pixels = drawn(&zigzag, paint, width, Cap::Round, Join::Round);
+            let most = pixels.iter().copied().fold(0.0, f64::max);
+            assert!(most < darkest + 0.01 && most > darkest * 0.85, "{most} {darkest}");
+        }
+    }
 }
