@@ -5,6 +5,7 @@ use gks_pipeline::description::{Catalogue, Category, Description, OpenError};
 use gks_pipeline::device::{Device, DeviceError, Drawn, FrameBuffer, Mark, Page, Surface};
 use gks_pipeline::input::{Input, LogicalDevice, Measure, Report, Setting};
 use gks_pipeline::record::{Record, Source, SourceError};
+use gks_pipeline::trace::Trace;
 use gks_pipeline::workstation::Backend;
 use gks_workstations::catalogue::Drivers;
 use gks_workstations::environment::Environment;
@@ -170,6 +171,10 @@ impl Input for Operator {
     fn sample(&mut self, device: LogicalDevice) -> Result<Option<Measure>, DeviceError> {
         self.listen()?;
         Ok(self.started.get(&(device.class as i32, device.number)).map(|(_, measure)| measure.clone()))
+    }
+
+    fn show(&mut self, _device: LogicalDevice, _picked: Trace) -> Result<(), DeviceError> {
+        Ok(())
     }
 
     fn wait(&mut self, _patience: Option<Duration>) -> Result<Report, DeviceError> {

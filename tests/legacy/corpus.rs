@@ -128,7 +128,7 @@ fn main() -> ExitCode {
         let parts: Vec<_> = names.chunks(share).map(|part| scope.spawn(move || judged(part))).collect();
         parts.into_iter().flat_map(|part| part.join().unwrap_or_default()).collect()
     });
-    let (mut ended, mut all, mut alike, mut excused) = (0, 0, 0, 0);
+    let (mut ended, mut all, mut both, mut alike, mut excused) = (0, 0, 0, 0, 0);
     println!("{:<12} {:<24} {:>9}  {:>8} {:>6}  verdict", "program", "ends", "frames", "stray", "tone");
     for row in &rows {
         let same_end = row.ends[0].is_like(row.ends[1], row.name.starts_with("c_"));
@@ -136,6 +136,7 @@ fn main() -> ExitCode {
         let why = explained.get(&row.name);
         ended += usize::from(same_end);
         all += count;
+        both += row.frames[0].min(row.frames[1]);
         alike += row.alike;
         excused += if why.is_some() { count - row.alike } else { 0 };
         let verdict = match why {
@@ -151,7 +152,9 @@ fn main() -> ExitCode {
         println!("{:<12} {ends:<24} {frames:>9}  {:>6.2} % {tone:>6.1}  {verdict}", row.name, stray * 100.0);
     }
     println!("\n{ended} of {} programs end as on the original", rows.len());
-    println!("{alike} of {all} frames agree, {excused} more are explained");
-    let good = ended * 478 >= rows.len() * 470 && (alike + excused) * 100 >= all * 95;
+    let share = 100.0 * alike as f64 / both.max(1) as f64;
+    println!("{alike} of {both} frames that both have drawn agree: {share:.1} %");
+    println!("{excused} of {} others are explained, frames that only one has drawn among them", all - alike);
+    let good = ended * 478 >= rows.len() * 470 && alike * 100 >= both * 95 && alike + excused == all;
     if good { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

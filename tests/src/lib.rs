@@ -2,6 +2,7 @@
 
 pub mod folder;
 pub mod likeness;
+pub mod operation;
 #[path = "../pictures/mod.rs"]
 pub mod pictures;
 pub mod program;

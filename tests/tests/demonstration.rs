@@ -96,7 +96,7 @@ fn the_demonstration_of_xgks_is_operated_by_a_script() {
     // The square has moved to where its centre was sent, and the segment that was picked is gone.
     let transformed = picture("transformed.png");
     assert_eq!(pixel(&transformed, 200, 800), BLACK);
-    assert_eq!(pixel(&transformed, 600, 700), GREEN);
+    assert_eq!(pixel(&transformed, 560, 770), GREEN);
     let deleted = picture("deleted.png");
     assert!(near(&transformed, 250, 700) && near(&deleted, 600, 300));
     assert!(!near(&deleted, 250, 700));

@@ -175,6 +175,9 @@ impl Drivers {
             options.set(list, limits).map_err(refused)
         };
         set("", selection.preset)?;
+        if let Some(value) = &self.environment.reduce {
+            set(&format!("GKS_REDUCE={value}"), &format!("reduce={value}"))?;
+        }
         if let Some(list) = &self.environment.options {
             set(&format!("GKS_OPTIONS={list}"), list)?;
         }

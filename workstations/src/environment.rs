@@ -18,6 +18,8 @@ pub struct Environment {
     pub options: Option<String>,
     /// `GKS_SCRIPT`: the file with the script of scripted workstations.
     pub script: Option<String>,
+    /// `GKS_REDUCE`: how far points that vector formats leave out of lines may lie off, in nominal linewidths.
+    pub reduce: Option<String>,
     /// `GKS_DIALECT`: whose workstation type numbers programs use.
     pub dialect: Option<String>,
 }
@@ -40,6 +42,7 @@ impl Environment {
             conid: variable("GKS_CONID"),
             options: variable("GKS_OPTIONS"),
             script: variable("GKS_SCRIPT"),
+            reduce: variable("GKS_REDUCE"),
             dialect: variable("GKS_DIALECT"),
         }
     }
@@ -72,6 +75,7 @@ mod tests {
             "GKS_CONID" => Some(String::new()),
             "GKS_OPTIONS" => Some("dpi=300".to_owned()),
             "GKS_SCRIPT" => Some("a.script".to_owned()),
+            "GKS_REDUCE" => Some("0.25".to_owned()),
             "GKS_DIALECT" => Some("NCAR".to_owned()),
             _ => None,
         };
@@ -82,6 +86,7 @@ mod tests {
             conid: None,
             options: Some("dpi=300".to_owned()),
             script: Some("a.script".to_owned()),
+            reduce: Some("0.25".to_owned()),
             dialect: Some("NCAR".to_owned()),
         };
         assert_eq!(environment, expected);

@@ -47,6 +47,8 @@ pub(crate) fn defaults(dialect: Dialect) -> Defaults {
         defaults.tables.patterns.clear();
         // Movies of the utilities start with segment 0.
         defaults.first_segment = 0;
+        // Its programs draw on metafiles and place texts side by side.
+        defaults.text_extent_of_metafiles = true;
     }
     // Programs of XGKS call UPDATE WORKSTATION nowhere and see their segments changed all the same.
     defaults.updates_before_input = dialect == Dialect::Xgks;
@@ -71,5 +73,25 @@ mod tests {
     fn ncar_starts_with_solid_areas() {
         assert_eq!(defaults(Dialect::Ncar).look.fill.interior, InteriorStyle::Solid);
         assert_eq!(defaults(Dialect::Iso).look.fill.interior, InteriorStyle::Hollow);
+    }
+
+    #[test]
+    fn metafiles_of_ncar_have_text_extents_and_its_movies_a_segment_0() {
+        use gks::Gks;
+        let gks = |dialect| {
+            let mut gks =
+                Gks::with_defaults(Box::new(Drivers::new(Environment::default())), defaults(dialect));
+            gks.open_gks().unwrap();
+            gks.open_workstation(1, "/dev/null", 400).unwrap();
+            gks.open_workstation(2, "", 1).unwrap();
+            gks.activate_workstation(2).unwrap();
+            gks
+        };
+        let (mut ncar, mut iso) = (gks(Dialect::Ncar), gks(Dialect::Iso));
+        let extent = |gks: &Gks| gks.inquire_text_extent(1, (0.5, 0.5), "text").map_err(|error| error.number);
+        assert!(extent(&ncar).is_ok_and(|extent| extent.concatenation.0.x > 0.5));
+        assert_eq!(extent(&iso).map(drop), Err(39));
+        let segment = |gks: &mut Gks| gks.create_segment(0).map_err(|error| error.number);
+        assert_eq!([segment(&mut ncar), segment(&mut iso)], [Ok(()), Err(120)]);
     }
 }

@@ -63,7 +63,8 @@ impl Gks {
         // Who reads a metafile begins with colours of his own.
         let is_metafile = description.category == Category::MetafileOutput;
         let most = description.colour_table_length() as usize;
-        let colours = (0..).zip(self.defaults.colours.iter().take(most).map(|&colour| Colour::from_packed(colour)));
+        let colours =
+            (0..).zip(self.defaults.colours.iter().take(most).map(|&colour| Colour::from_packed(colour)));
         for (index, colour) in colours.clone().filter(|_| !is_metafile) {
             tables.colours.set(index, colour);
         }

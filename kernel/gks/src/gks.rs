@@ -75,14 +75,16 @@ pub struct Defaults {
     pub look: Look,
     /// The tables that OPEN WORKSTATION sets.
     pub tables: Tables,
+    /// The least number that is the name of a segment.
+    pub first_segment: i32,
+    /// Whether INQUIRE TEXT EXTENT answers for metafiles too.
+    pub text_extent_of_metafiles: bool,
     /// The colours of every workstation that are predefined in the place of the usual ones, from index 0 on: red, green and
     /// blue of 8 bits each, as in 0xff8000 for orange.
     pub colours: &'static [u32],
     /// Whether REQUEST and SAMPLE show changes of segments first, as UPDATE WORKSTATION does. Those of a pick device do not,
     /// since they need what is seen, nor does what only tables have changed.
     pub updates_before_input: bool,
-    /// The least number that is the name of a segment.
-    pub first_segment: i32,
 }
 
 impl Default for Defaults {
@@ -91,9 +93,10 @@ impl Default for Defaults {
         Defaults {
             look: Look::default(),
             tables: Tables::predefined(),
+            first_segment: 1,
+            text_extent_of_metafiles: false,
             colours: &[],
             updates_before_input: false,
-            first_segment: 1,
         }
     }
 }

@@ -17,7 +17,6 @@ mod matrix;
 mod metafile;
 mod normalization;
 mod output;
-mod points;
 mod representation;
 mod segment;
 #[cfg(test)]
@@ -40,5 +39,5 @@ pub use crate::inquiry::{
 };
 pub use crate::matrix::CoordinateSwitch;
 pub use crate::normalization::{NormalizationTransformation, RelativePriority};
-pub use crate::points::Points;
 pub use crate::segment::{Detectability, Highlighting, SegmentAttributes, Visibility};
+pub use gks_geometry::Points;

@@ -24,12 +24,6 @@ impl Colour {
         Colour { red, green, blue, alpha: 1.0 }
     }
 
-    /// The opaque colour of red, green and blue of 8 bits each, as in 0xff8000 for orange.
-    pub fn from_packed(rgb: u32) -> Self {
-        let [_, red, green, blue] = rgb.to_be_bytes().map(|byte| f32::from(byte) / 255.0);
-        Colour::rgb(red, green, blue)
-    }
-
     /// The colour that a packed colour index holds in itself, if it is one.
     ///
     /// Bit 30 marks it, bit 31 is clear; below are 6 bits of opacity and 8 bits each of red, green and blue. Programs
@@ -41,6 +35,12 @@ impl Colour {
         let colour =
             || Colour { red: bits(16, 255), green: bits(8, 255), blue: bits(0, 255), alpha: bits(24, 63) };
         (index & 3 << 30 == MARK).then(colour)
+    }
+
+    /// The opaque colour of red, green and blue of 8 bits each, as in 0xff8000 for orange.
+    pub fn from_packed(rgb: u32) -> Self {
+        let [_, red, green, blue] = rgb.to_be_bytes().map(|byte| f32::from(byte) / 255.0);
+        Colour::rgb(red, green, blue)
     }
 
     /// The four components as bytes, rounded to nearest.

@@ -4,10 +4,12 @@
 //! says which logical input devices are *started*. A driver turns what the operator does (pointer, keys,
 //! the lines of a script) into measures of the devices that are started, shows their prompts and echoes,
 //! and reports triggers. Positions are device coordinates in metres; the kernel takes them to world
-//! coordinates, and finds what a pick position hits.
+//! coordinates, and finds what a pick position hits: a driver that echoes picks asks for it
+//! ([`Report::Pointed`]), and the kernel answers with what there is to show ([`Input::show`]).
 
 use crate::device::DeviceError;
 use crate::look::enumeration;
+use crate::trace::Trace;
 use gks_geometry::{Dc, Point, Rect};
 use std::time::Duration;
 
@@ -55,6 +57,10 @@ pub trait Input: Send {
     /// long as it takes). Reports come in the order in which triggers fired; nothing is lost between calls.
     /// All that was drawn is visible before the wait begins.
     fn wait(&mut self, patience: Option<Duration>) -> Result<Report, DeviceError>;
+
+    /// Shows what a device that is started picks at the position it was asked about last, as its echo in the place
+    /// of the one before. A driver that never asks has nothing to show.
+    fn show(&mut self, device: LogicalDevice, picked: Trace) -> Result<(), DeviceError>;
 }
 
 /// What an operator reports.
@@ -62,6 +68,9 @@ pub trait Input: Send {
 pub enum Report {
     /// A trigger fired: the measures of all started devices that it belongs to, in order.
     Trigger(Vec<(LogicalDevice, Measure)>),
+    /// The position of a device that picks changed (none: it is nowhere), and its echo is wanted:
+    /// [`Input::show`] is called, and then it is waited again.
+    Pointed(LogicalDevice, Option<Point<Dc>>),
     /// The operator refuses to answer (break).
     Break,
     /// Nothing happened while it was waited for.
@@ -81,7 +90,7 @@ pub enum Measure {
     Valuator(f64),
     /// The number of an alternative, from 1, or none chosen.
     Choice(Option<i32>),
-    /// The position at which to pick, or none.
+    /// The position at which to pick, or none; also of a choice device whose alternatives are a picture.
     Pick(Option<Point<Dc>>),
     /// A string.
     String(String),
@@ -103,6 +112,8 @@ pub struct Setting {
     pub initial: Measure,
     /// What only one class has.
     pub detail: Detail,
+    /// The picture in the echo area whose parts are the alternatives of a choice.
+    pub picture: Option<Trace>,
 }
 
 /// The part of a setting that depends on the class: what the data records of the INITIALISE functions say.

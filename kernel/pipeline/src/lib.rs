@@ -23,4 +23,5 @@ pub mod record;
 pub mod recording;
 pub mod segment;
 pub mod tables;
+pub mod trace;
 pub mod workstation;

@@ -6,9 +6,9 @@
 
 use crate::device::{Device, DeviceError, Drawn, Fill, Form, Mark, Page, Rule, Surface};
 use crate::item::{Item, Parallelogram, Shape};
-use crate::workstation::Workstation;
+use crate::workstation::{Place, Workstation};
 use gks_algorithms::clip::liang_barsky;
-use gks_geometry::{Dc, Du, Map, Ndc, PathBuf, Paths, Point, Rect};
+use gks_geometry::{Dc, Du, PathBuf, Paths, Point, Rect};
 use glam::DVec2;
 
 /// A square on the display surface in which primitives are looked for.
@@ -30,17 +30,16 @@ impl Aperture {
         Aperture { surface: surface.clone(), square, by_bounds: false, hit: false }
     }
 
-    /// Whether an item that a workstation would draw now, moved by a segment transformation, meets the square.
-    /// Nothing is drawn.
+    /// Whether an item that a workstation would draw now at a place meets the square. Nothing is drawn.
     pub fn meets(
         &mut self,
         workstation: &mut Workstation,
         item: &Item<'_>,
-        transformation: &Map<Ndc, Ndc>,
+        place: &Place,
     ) -> Result<bool, DeviceError> {
         self.hit = false;
         self.by_bounds = matches!(item.shape, Shape::Text(..));
-        workstation.paint_on(self, item, transformation)?;
+        workstation.paint_on(self, item, place, false)?;
         Ok(self.hit)
     }
 
@@ -135,7 +134,7 @@ impl Device for Aperture {
             }
             Form::Cells(place, _) => self.area(&square, outline(place).as_paths(), Rule::EvenOdd),
             // Characters and curves come again as outlines and polygons.
-            Form::Text(_) | Form::Stroke(..) | Form::Filled(..) => return Ok(Drawn::No),
+            Form::LongLine(..) | Form::Text(_) | Form::Stroke(..) | Form::Filled(..) => return Ok(Drawn::No),
         };
         Ok(Drawn::Yes)
     }

@@ -5,12 +5,13 @@ use crate::description::{DeferralMode, Description, DynamicModification, Regener
 use crate::device::{Device, DeviceError, Drawn, FrameBuffer, Page};
 use crate::input::Input;
 use crate::item::Item;
+use crate::look::Look;
 use crate::painter::{Canvas, Painter};
 use crate::record::{Record, Recorder, Source};
 use crate::recording::Recording;
 use crate::segment::{Appearance, Segment};
 use crate::tables::Tables;
-use gks_geometry::{Dc, Du, Map, Ndc, Point, Rect};
+use gks_geometry::{Dc, Du, LongLine, Map, Ndc, Point, Rect};
 use glam::{DAffine2, DMat2, DVec2};
 
 /// The window and the viewport of a workstation transformation.
@@ -20,6 +21,17 @@ pub struct WorkstationTransformation {
     pub window: Rect<Ndc>,
     /// Where on the display surface it is shown, in metres.
     pub viewport: Rect<Dc>,
+}
+
+/// Where on the display surface of a workstation items appear.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub struct Place {
+    /// From NDC to device units.
+    map: Map<Ndc, Du>,
+    /// The same for clipping rectangles.
+    clip_map: Map<Ndc, Du>,
+    /// The part of NDC space that is shown.
+    window: Rect<Ndc>,
 }
 
 /// The pixels of a display surface and what is needed to understand them.
@@ -218,17 +230,47 @@ impl Workstation {
     /// Draws a primitive that is in no segment.
     pub fn draw(&mut self, item: &Item<'_>) -> Result<(), DeviceError> {
         self.loose = true;
-        self.paint(item, &Map::IDENTITY, false)?;
+        self.paint(item, None, false)?;
         self.present()
+    }
+
+    /// Draws a long line that is in no segment, if it can be drawn without holding its points; else nothing
+    /// is drawn, and it has to come as a polyline.
+    pub fn draw_long_line(
+        &mut self,
+        line: &LongLine<'_, Ndc>,
+        look: &Look,
+        clip: &Rect<Ndc>,
+    ) -> Result<Drawn, DeviceError> {
+        if self.copied.is_some() || !matches!(self.backend, Backend::Device(_)) {
+            return Ok(Drawn::No);
+        }
+        self.loose = true;
+        self.begin_page()?;
+        self.empty = false;
+        let Workstation { backend, description, tables, painter, map, current, .. } = self;
+        let Backend::Device(device) = backend else { return Ok(Drawn::No) };
+        let mut canvas = Canvas {
+            device: &mut **device,
+            surface: &description.surface,
+            tables,
+            map: *map,
+            clip_map: *map,
+            glow: false,
+            window: current.window,
+        };
+        let drawn = painter.long_line(line, look, clip, &mut canvas)?;
+        self.present()?;
+        Ok(drawn)
     }
 
     /// Draws a primitive of the open segment, over what is there.
     pub fn draw_in_segment(&mut self, item: &Item<'_>, appearance: &Appearance) -> Result<(), DeviceError> {
         if appearance.highlighted && !self.is_recorder() {
-            self.paint(item, &appearance.transformation, true)?;
+            self.paint(item, Some(&appearance.transformation), true)?;
         }
         self.kept = true;
-        self.paint(item, &appearance.transformation, false)?;
+        self.paint(item, Some(&appearance.transformation), false)?;
         self.present()
     }
 
@@ -247,7 +289,7 @@ impl Workstation {
             for item in &segment.recording {
                 copy.clear();
                 copy.push_mapped(&item, &segment.appearance.transformation);
-                copy.iter().try_for_each(|item| self.paint(&item, &Map::IDENTITY, false))?;
+                copy.iter().try_for_each(|item| self.paint(&item, None, false))?;
             }
             return Ok(());
         }
@@ -256,16 +298,17 @@ impl Workstation {
         drawn.and(self.present())
     }
 
+    /// Paints an item, moved by a segment transformation if there is one.
     fn paint(
         &mut self,
         item: &Item<'_>,
-        transformation: &Map<Ndc, Ndc>,
+        transformation: Option<&Map<Ndc, Ndc>>,
         glow: bool,
     ) -> Result<(), DeviceError> {
         self.begin_page()?;
         self.empty = false;
         if let Some(copied) = &mut self.copied {
-            copied.push_mapped(item, transformation);
+            copied.push_mapped(item, transformation.unwrap_or(&Map::IDENTITY));
         }
         let Workstation { backend, description, tables, painter, map, current, .. } = self;
         let device = match backend {
@@ -277,7 +320,7 @@ impl Workstation {
             device,
             surface: &description.surface,
             tables,
-            map: transformation.then(map),
+            map: transformation.map_or(*map, |transformation| transformation.then(map)),
             clip_map: *map,
             glow,
             window: current.window,
@@ -285,24 +328,29 @@ impl Workstation {
         painter.paint(item, &mut canvas)
     }
 
-    /// Paints an item on another device as it would be drawn here, moved by a segment transformation.
+    /// Paints an item on another device as it would be drawn here at a place, or the band of its highlighting.
     pub(crate) fn paint_on(
         &mut self,
         device: &mut dyn Device,
         item: &Item<'_>,
-        transformation: &Map<Ndc, Ndc>,
+        place: &Place,
+        glow: bool,
     ) -> Result<(), DeviceError> {
-        let Workstation { description, tables, painter, map, current, .. } = self;
-        let mut canvas = Canvas {
-            device,
-            surface: &description.surface,
-            tables,
-            map: transformation.then(map),
-            clip_map: *map,
-            glow: false,
-            window: current.window,
-        };
-        painter.paint(item, &mut canvas)
+        let Workstation { description, tables, painter, .. } = self;
+        let Place { map, clip_map, window } = *place;
+        let surface = &description.surface;
+        painter.paint(item, &mut Canvas { device, surface, tables, map, clip_map, glow, window })
+    }
+
+    /// The place in the picture of what a segment transformation moves.
+    pub fn in_picture(&self, transformation: &Map<Ndc, Ndc>) -> Place {
+        Place { map: transformation.then(&self.map), clip_map: self.map, window: self.current.window }
+    }
+
+    /// The place of the unit square of NDC where it fills an area on the display surface, in metres.
+    pub fn in_area(&self, area: &Rect<Dc>) -> Place {
+        let map = Map::window_to_viewport(&Rect::UNIT, area).then(&self.to_units());
+        Place { map, clip_map: map, window: Rect::UNIT }
     }
 
     /// Clears the display surface if something is drawn on it, and lets the requested transformation take
@@ -348,9 +396,9 @@ impl Workstation {
         let Appearance { transformation, highlighted } = appearance;
         let mut items = segment.recording.iter();
         if *highlighted && !self.is_recorder() {
-            items.clone().try_for_each(|item| self.paint(&item, transformation, true))?;
+            items.clone().try_for_each(|item| self.paint(&item, Some(transformation), true))?;
         }
-        items.try_for_each(|item| self.paint(&item, transformation, false))
+        items.try_for_each(|item| self.paint(&item, Some(transformation), false))
     }
 
     /// Makes all that was drawn visible; draws the picture again if that is necessary and `perform` is set,
@@ -468,17 +516,21 @@ impl Workstation {
     fn adopt_requested(&mut self) {
         self.current = self.requested;
         self.pending = false;
+        self.map = self.device_map().then(&self.to_units());
+    }
+
+    /// The map from metres on the display surface to device units.
+    fn to_units(&self) -> Map<Dc, Du> {
         let surface = &self.description.surface;
         let per_metre = 1.0 / surface.unit;
-        let to_units = if surface.y_down {
+        Map::from_affine(if surface.y_down {
             DAffine2::from_mat2_translation(
                 DMat2::from_diagonal(DVec2::new(per_metre, -per_metre)),
                 DVec2::new(0.0, surface.height),
             )
         } else {
             DAffine2::from_scale(DVec2::splat(per_metre))
-        };
-        self.map = self.device_map().then(&Map::from_affine(to_units));
+        })
     }
 
     /// Sets the colour of an index, as [`Workstation::represent`] does.

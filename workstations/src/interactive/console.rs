@@ -11,6 +11,7 @@ use super::panel;
 use gks_geometry::{Dc, Point};
 use gks_pipeline::device::Surface;
 use gks_pipeline::input::{InputClass, LogicalDevice, Measure, Report, Setting};
+use gks_pipeline::trace::Trace;
 use glam::DVec2;
 use std::collections::VecDeque;
 
@@ -53,6 +54,10 @@ impl Console {
             None => self.started.push(interaction),
         }
         self.arrange();
+        // What has no position of its own at first is where the pointer is.
+        if let Some(at) = self.pointer {
+            self.all(|i| i.device == device && i.follows(), |i| i.moved(at));
+        }
     }
 
     /// Ends a device; what it has reported stays.
@@ -77,6 +82,19 @@ impl Console {
     /// The next report.
     pub fn report(&mut self) -> Option<Report> {
         self.reports.pop_front()
+    }
+
+    /// The next device whose echo is what it picks at a new position, and the position; once for each.
+    pub fn question(&mut self) -> Option<Report> {
+        let ask = |i: &mut Interaction| i.question().map(|at| Report::Pointed(i.device, at));
+        self.started.iter_mut().find_map(ask)
+    }
+
+    /// Takes what a device picks as its echo.
+    pub fn show(&mut self, device: LogicalDevice, picked: Trace) {
+        if let Some(interaction) = self.started.iter_mut().find(|other| other.device == device) {
+            interaction.picked = picked;
+        }
     }
 
     /// The devices that are started.

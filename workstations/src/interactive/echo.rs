@@ -2,7 +2,8 @@
 //!
 //! The prompt and echo types are those of ISO 7942: for locators 2 crosshair, 3 tracking cross, 4 rubber band
 //! line, 5 rectangle, 6 digits; for strokes 2 digits, 3 markers, 4 lines; for valuators 2 dial, 3 digits; for
-//! choices a menu of names or numbers; for picks the aperture; for strings the text.
+//! choices a menu of names or numbers, 5 a picture; for picks the aperture and what is in it, which the kernel finds
+//! for each type; for strings the text.
 
 use super::console::Console;
 use super::interaction::{Interaction, State, enabled};
@@ -47,6 +48,7 @@ fn over_picture(interaction: &Interaction, sketch: &mut Sketch) -> Done {
         (State::Locator { at, initial }, _) => locator(*at, *initial, prompt, within, sketch),
         (State::Stroke { points, at, .. }, _) => stroke(points, *at, prompt, sketch),
         (State::Pick { at: Some(at) }, &Detail::Pick { aperture }) => {
+            sketch.trace(&interaction.picked)?;
             let side = if aperture.is_finite() { aperture.clamp(0.0, 1.0) } else { 0.0 };
             let side = side.max(sketch.pixel * 4.0);
             square(*at, side, sketch)?;
@@ -138,7 +140,8 @@ fn panel(
     let inner = panel.frame.grown(-rim.min(panel.frame.width() / 4.0).min(panel.frame.height() / 4.0));
     // The rim only: what lies under a panel shall not shine in the colour of its edge.
     sketch.rounded(&inner, radius - rim, Ink::Line)?;
-    sketch.rounded(&inner, radius - rim, Ink::Panel)?;
+    let ground = if panel.kind == Kind::Picture { Ink::Paper } else { Ink::Panel };
+    sketch.rounded(&inner, radius - rim, ground)?;
     match (panel.kind, &interaction.state, &interaction.setting.detail) {
         (Kind::Slider, &State::Valuator { value, held }, &Detail::Valuator { low, high }) => {
             slider(panel, (low, high, value), held, sketch)
@@ -152,6 +155,18 @@ fn panel(
                 menu_item(interaction, panel, number, *marked, names, sketch)?;
             }
             Ok(())
+        }
+        (Kind::Stepper, State::Choice { marked, .. }, &Detail::Choice { alternatives, .. }) => {
+            stepper(panel, *marked, alternatives, sketch)
+        }
+        (Kind::Picture, State::Choice { marked, at, .. }, _) => {
+            if let Some(picture) = &interaction.setting.picture {
+                sketch.trace(picture)?;
+            }
+            sketch.trace(&interaction.picked)?;
+            let Some(marked) = marked.filter(|_| at.is_none()) else { return Ok(()) };
+            let corner = Point::new(inner.min.x() + panel.letter, inner.min.y() + panel.letter * 1.2);
+            sketch.text(corner, &marked.to_string(), panel.letter, Horizontal::Left, Ink::Accent)
         }
         (Kind::Field, State::String { text, cursor }, _) => field(panel, text, *cursor, sketch),
         (Kind::Readout, state, _) => {
@@ -169,6 +184,27 @@ fn panel(
         }
         _ => Ok(()),
     }
+}
+
+fn stepper(panel: &Panel, marked: Option<i32>, alternatives: i32, sketch: &mut Sketch) -> Done {
+    let letter = panel.letter;
+    let signs = panel.signs();
+    for (place, is_plus) in signs.iter().zip([false, true]) {
+        sketch.rounded(place, letter * 0.5, Ink::Marked)?;
+        let (centre, reach) = (place.centre(), place.width() * 0.22);
+        let at = |x: f64, y: f64| Point::new(centre.x() + x * reach, centre.y() + y * reach);
+        sketch.line(&[at(-1.0, 0.0), at(1.0, 0.0)], 2.0, Ink::Text)?;
+        if is_plus {
+            sketch.line(&[at(0.0, -1.0), at(0.0, 1.0)], 2.0, Ink::Text)?;
+        }
+    }
+    let centre = panel.frame.centre().x();
+    let caption = Point::new(centre, panel.frame.min.y() + panel.frame.height() * 0.78);
+    let range = format!("Choice 1 to {alternatives}");
+    sketch.text(caption, &range, letter * 0.8, Horizontal::Centre, Ink::Dim)?;
+    let number = marked.map_or_else(|| "\u{2013}".to_owned(), |marked| marked.to_string());
+    let place = Point::new(centre, signs[0].centre().y());
+    sketch.text(place, &number, letter * 1.3, Horizontal::Centre, Ink::Text)
 }
 
 /// A number with as many digits as an operator can set.

@@ -1,9 +1,10 @@
 //! One logical input device that is started: its measure, and what the operator's acts do to it.
 
 use super::event::Key;
-use super::panel::Panel;
+use super::panel::{Kind, Panel};
 use gks_geometry::{Dc, Point, Rect};
 use gks_pipeline::input::{Detail, InputClass, LogicalDevice, Measure, Setting};
+use gks_pipeline::trace::Trace;
 
 /// What an act does to a device.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -24,6 +25,10 @@ pub(super) struct Interaction {
     pub(super) state: State,
     /// Where its prompt lies.
     pub(super) panel: Option<Panel>,
+    /// What it would pick.
+    pub(super) picked: Trace,
+    /// The position that this is about.
+    asked: Option<Point<Dc>>,
 }
 
 /// The measure and what else is remembered.
@@ -35,8 +40,9 @@ pub(super) enum State {
     Stroke { points: Vec<Point<Dc>>, at: Option<Point<Dc>>, held: bool },
     /// The value, and whether the slider is held.
     Valuator { value: f64, held: bool },
-    /// The alternative that is marked, and what has been typed.
-    Choice { marked: Option<i32>, typed: String },
+    /// The alternative that is marked, what has been typed, and the position in a picture to choose from, which
+    /// counts if there is one.
+    Choice { marked: Option<i32>, typed: String, at: Option<Point<Dc>> },
     /// The position.
     Pick { at: Option<Point<Dc>> },
     /// The characters, and the position of the cursor among them from 0.
@@ -71,7 +77,7 @@ impl State {
             }
             (Detail::Choice { .. }, initial) => {
                 let marked = if let Measure::Choice(marked) = initial { *marked } else { None };
-                State::Choice { marked, typed: String::new() }
+                State::Choice { marked, typed: String::new(), at: None }
             }
             (Detail::Pick { .. }, initial) => {
                 State::Pick { at: if let Measure::Pick(at) = initial { *at } else { None } }
@@ -98,7 +104,7 @@ impl Interaction {
             *alternatives = (*alternatives).min(i32::try_from(enabled.len()).unwrap_or(i32::MAX));
         }
         let state = State::new(&setting);
-        Interaction { device, setting, state, panel: None }
+        Interaction { device, setting, state, panel: None, picked: Trace::default(), asked: None }
     }
 
     /// The measure.
@@ -107,6 +113,7 @@ impl Interaction {
             State::Locator { at, .. } => Measure::Locator(*at),
             State::Stroke { points, .. } => Measure::Stroke(points.clone()),
             State::Valuator { value, .. } => Measure::Valuator(*value),
+            State::Choice { at: at @ Some(_), .. } => Measure::Pick(*at),
             State::Choice { marked, .. } => Measure::Choice(*marked),
             State::Pick { at } => Measure::Pick(*at),
             State::String { text, .. } => Measure::String(text.iter().collect()),
@@ -116,6 +123,23 @@ impl Interaction {
     /// Whether the device is operated by pointing into the picture.
     pub(super) fn points(&self) -> bool {
         matches!(self.device.class, InputClass::Locator | InputClass::Stroke | InputClass::Pick)
+    }
+
+    /// The position whose echo is wanted, if it is another one than before.
+    pub(super) fn question(&mut self) -> Option<Option<Point<Dc>>> {
+        let at = match self.state {
+            State::Pick { at } => at,
+            State::Choice { at, .. } => at,
+            _ => return None,
+        };
+        let new = self.setting.echo && at != self.asked;
+        self.asked = at;
+        new.then_some(at)
+    }
+
+    /// Whether the position is that of the pointer from the start, and not an initial one.
+    pub(super) fn follows(&self) -> bool {
+        matches!(self.device.class, InputClass::Stroke | InputClass::Pick) || self.setting.picture.is_some()
     }
 
     /// Prepares for the next report after the trigger fired: what was entered is gone, what was set stays.
@@ -151,9 +175,13 @@ impl Interaction {
                 }
             }
             (State::Valuator { held: true, .. }, _) => return self.grab(to),
-            (State::Choice { marked, .. }, _) => {
-                let item = self.panel.as_ref().and_then(|panel| panel.item_at(to));
-                match item.and_then(|item| i32::try_from(item).ok()) {
+            (State::Choice { marked, at, .. }, _) => {
+                let Some(panel) = &self.panel else { return Effect::None };
+                if panel.kind == Kind::Picture {
+                    let before = std::mem::replace(at, panel.frame.contains(to).then_some(to));
+                    return if *at == before { Effect::None } else { Effect::Taken };
+                }
+                match panel.item_at(to).and_then(|item| i32::try_from(item).ok()) {
                     Some(item) if enabled(&self.setting, item) => *marked = Some(item),
                     _ => return Effect::None,
                 }
@@ -171,8 +199,16 @@ impl Interaction {
                 self.grab(at)
             }
             State::Choice { marked, .. } => {
-                let item = self.panel.as_ref().and_then(|panel| panel.item_at(at));
-                match item.and_then(|item| i32::try_from(item).ok()) {
+                let Some(panel) = &self.panel else { return Effect::None };
+                match panel.kind {
+                    Kind::Picture => return Effect::Trigger,
+                    Kind::Stepper => match panel.step_at(at) {
+                        0 => return Effect::Trigger,
+                        by => return self.step(by),
+                    },
+                    _ => {}
+                }
+                match panel.item_at(at).and_then(|item| i32::try_from(item).ok()) {
                     Some(item) if enabled(&self.setting, item) => {
                         *marked = Some(item);
                         Effect::Trigger
@@ -250,14 +286,14 @@ impl Interaction {
                 Key::End => self.shift(1.0),
                 _ => Effect::None,
             },
-            State::Choice { marked, typed } => match key {
+            State::Choice { marked, typed, at } => match key {
                 Key::Return => match marked {
                     Some(marked) if !enabled(&self.setting, *marked) => Effect::Taken,
                     _ => Effect::Trigger,
                 },
                 Key::Backspace => {
                     typed.clear();
-                    *marked = None;
+                    (*marked, *at) = (None, None);
                     Effect::Taken
                 }
                 Key::Down | Key::Right => self.step(1),
@@ -351,12 +387,13 @@ impl Interaction {
 
     /// Marks the next alternative that is offered.
     fn step(&mut self, by: i32) -> Effect {
-        let (State::Choice { marked, typed }, &Detail::Choice { alternatives, .. }) =
+        let (State::Choice { marked, typed, at: place }, &Detail::Choice { alternatives, .. }) =
             (&mut self.state, &self.setting.detail)
         else {
             return Effect::None;
         };
         typed.clear();
+        *place = None;
         let mut at = marked.unwrap_or(if by > 0 { 0 } else { alternatives.saturating_add(1) });
         loop {
             at = at.saturating_add(by);
@@ -372,18 +409,18 @@ impl Interaction {
 
     /// Chooses an alternative at once, if it is offered.
     fn choose(&mut self, number: i32) -> Effect {
-        let State::Choice { marked, .. } = &mut self.state else { return Effect::None };
+        let State::Choice { marked, at, .. } = &mut self.state else { return Effect::None };
         if !enabled(&self.setting, number) {
             return Effect::Taken;
         }
-        *marked = Some(number);
+        (*marked, *at) = (Some(number), None);
         Effect::Trigger
     }
 
     /// Digits give the number of an alternative, which is chosen as soon as no longer number is possible;
     /// letters mark the alternative whose name starts with them.
     fn type_choice(&mut self, character: char) -> Effect {
-        let (State::Choice { marked, typed }, Detail::Choice { alternatives, names, .. }) =
+        let (State::Choice { marked, typed, at }, Detail::Choice { alternatives, names, .. }) =
             (&mut self.state, &self.setting.detail)
         else {
             return Effect::None;
@@ -391,6 +428,7 @@ impl Interaction {
         if character.is_control() || typed.len() > 64 {
             return Effect::None;
         }
+        *at = None;
         let of_digits = typed.bytes().all(|b| b.is_ascii_digit());
         if character.is_ascii_digit() && of_digits {
             typed.push(character);

@@ -14,6 +14,10 @@ pub(super) enum Kind {
     Readout,
     /// The alternatives of a choice in rows and columns.
     Menu { rows: usize, columns: usize },
+    /// The number of an alternative between two signs that change it.
+    Stepper,
+    /// A picture whose parts are alternatives.
+    Picture,
     /// A line of text.
     Field,
 }
@@ -33,6 +37,8 @@ pub(super) fn letter(side: f64, pixel: f64) -> f64 {
     (side * 0.0115).max(pixel * 8.0)
 }
 
+/// The most alternatives without names that are shown as a menu: there are as many function keys.
+const MOST_NUMBERS: i32 = 12;
 /// The width that is reserved for a character, in heights of capital letters.
 const ADVANCE: f64 = 0.85;
 /// The height of a row of a menu, in heights of capital letters.
@@ -51,6 +57,14 @@ pub(super) fn panel(setting: &Setting, class: InputClass, letter: f64, order: us
         }
         (Detail::Valuator { .. }, 2) => (Kind::Dial, 13.0, 13.0),
         (Detail::Valuator { .. }, _) => (Kind::Slider, 30.0, 5.4),
+        (Detail::Choice { .. }, _) if setting.picture.is_some() => {
+            return Some(Panel { kind: Kind::Picture, frame: *area, letter });
+        }
+        (Detail::Choice { alternatives, names, enabled }, _)
+            if *alternatives > MOST_NUMBERS && names.is_empty() && enabled.is_empty() =>
+        {
+            (Kind::Stepper, 17.0, 5.4)
+        }
         (Detail::Choice { alternatives, names, .. }, _) => {
             let count = usize::try_from(*alternatives).ok()?.max(1);
             let longest = names.iter().map(|name| name.chars().count()).max().unwrap_or(0).max(8);
@@ -117,6 +131,21 @@ impl Panel {
         self.item(number).filter(|item| item.contains(at)).map(|_| number)
     }
 
+    /// The signs of a stepper: where minus and plus are.
+    pub(super) fn signs(&self) -> [Rect<Dc>; 2] {
+        let frame = &self.frame;
+        let side = (self.letter * 2.4).min(frame.width() / 3.0).min(frame.height() * 0.6);
+        let (pad, y) = (self.letter * 0.8, frame.min.y() + frame.height() * 0.34);
+        [frame.min.x() + pad, frame.max.x() - pad - side]
+            .map(|x| Rect::new(x, x + side, y - side / 2.0, y + side / 2.0))
+    }
+
+    /// By how much a click on a stepper changes the number.
+    pub(super) fn step_at(&self, at: Point<Dc>) -> i32 {
+        let [minus, plus] = self.signs();
+        i32::from(plus.contains(at)) - i32::from(minus.contains(at))
+    }
+
     /// The ends of the track of a slider.
     pub(super) fn track(&self) -> (Point<Dc>, Point<Dc>) {
         let pad = (self.letter * 1.6).min(self.frame.width() / 4.0);
@@ -162,11 +191,20 @@ mod tests {
     use gks_pipeline::input::Measure;
 
     fn setting(detail: Detail, prompt: i32, area: Rect<Dc>) -> Setting {
-        Setting { echo: true, prompt, area, within: area, initial: Measure::Valuator(0.0), detail }
+        Setting {
+            echo: true,
+            prompt,
+            area,
+            within: area,
+            initial: Measure::Valuator(0.0),
+            detail,
+            picture: None,
+        }
     }
 
-    fn menu(alternatives: i32, area: Rect<Dc>) -> Panel {
-        let detail = Detail::Choice { alternatives, enabled: Vec::new(), names: Vec::new() };
+    fn menu(alternatives: i32, area: Rect<Dc>, name: &str) -> Panel {
+        let names = vec![name.to_owned(); if name.is_empty() { 0 } else { alternatives as usize }];
+        let detail = Detail::Choice { alternatives, enabled: Vec::new(), names };
         panel(&setting(detail, 1, area), InputClass::Choice, 0.0023, 0).unwrap()
     }
 
@@ -178,7 +216,7 @@ mod tests {
             (100, Rect::new(0.0, 0.2, 0.0, 0.2)),
             (5, Rect::new(0.15, 0.16, 0.1, 0.11)),
         ] {
-            let panel = menu(count, area);
+            let panel = menu(count, area, "name");
             assert!(area.grown(1e-9).contains_rect(&panel.frame), "{panel:?}");
             for number in 1..=count as usize {
                 let item = panel.item(number).unwrap();
@@ -187,6 +225,19 @@ mod tests {
             }
             assert_eq!(panel.item_at(Point::new(-1.0, 0.0)), None);
         }
+    }
+
+    #[test]
+    fn many_numbers_are_stepped_through_in_a_small_panel() {
+        let area = Rect::new(0.0, 0.2, 0.0, 0.2);
+        assert!(matches!(menu(12, area, "").kind, Kind::Menu { .. }));
+        let panel = menu(256, area, "");
+        assert_eq!(panel.kind, Kind::Stepper);
+        assert!(panel.frame.width() * panel.frame.height() < 0.05 * area.width() * area.height());
+        let [minus, plus] = panel.signs();
+        assert!(panel.frame.contains_rect(&minus) && panel.frame.contains_rect(&plus));
+        let steps = [minus, panel.frame, plus].map(|part| panel.step_at(part.centre()));
+        assert_eq!(steps, [-1, 0, 1]);
     }
 
     #[test]

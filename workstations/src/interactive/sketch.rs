@@ -9,6 +9,7 @@ use gks_pipeline::item::{Closure, Curve, Ellipse, Item, Role, Shape};
 use gks_pipeline::look::{Cap, Horizontal, InteriorStyle, Join, Look, Precision, Vertical};
 use gks_pipeline::painter::{Canvas, Painter};
 use gks_pipeline::tables::Tables;
+use gks_pipeline::trace::Trace;
 use glam::{DAffine2, DMat2, DVec2};
 
 /// The colours of prompts and echoes.
@@ -30,9 +31,11 @@ pub(super) enum Ink {
     Line,
     /// What sets lines off from a dark picture.
     Halo,
+    /// The background of pictures on panels: that of the picture below.
+    Paper,
 }
 
-const INKS: [(Ink, [u8; 4]); 8] = [
+const INKS: [(Ink, [u8; 4]); 9] = [
     (Ink::Panel, [27, 31, 39, 232]),
     (Ink::Faint, [88, 98, 116, 255]),
     (Ink::Text, [240, 243, 248, 255]),
@@ -41,6 +44,7 @@ const INKS: [(Ink, [u8; 4]); 8] = [
     (Ink::Marked, [38, 92, 168, 255]),
     (Ink::Line, [16, 20, 28, 255]),
     (Ink::Halo, [255, 255, 255, 190]),
+    (Ink::Paper, [255; 4]),
 ];
 
 /// The sheet. Positions and lengths are metres on the display surface.
@@ -89,6 +93,11 @@ impl Sketch {
         })
     }
 
+    /// Changes the background of pictures on panels.
+    pub(super) fn set_paper(&mut self, colour: Colour) {
+        self.tables.colours.set(Ink::Paper as u32, Colour { alpha: 1.0, ..colour });
+    }
+
     /// Starts with nothing.
     pub(super) fn begin(&mut self) -> Result<(), DeviceError> {
         self.sheet.begin(&Page { number: 1, background: Colour::WHITE, colours: Vec::new() })
@@ -111,6 +120,11 @@ impl Sketch {
             window: self.whole,
         };
         self.painter.paint(&item, &mut canvas)
+    }
+
+    /// Draws what the kernel wants to be shown as it is.
+    pub(super) fn trace(&mut self, trace: &Trace) -> Result<(), DeviceError> {
+        trace.draw(&mut self.sheet)
     }
 
     /// Draws a line, `pixels` wide.

@@ -10,6 +10,7 @@ use crate::options::Options;
 use crate::raster::TrueColour;
 use gks_pipeline::device::{Device, DeviceError, Drawn, FrameBuffer, Mark, Page, Surface};
 use gks_pipeline::input::{Input, LogicalDevice, Measure, Report, Setting};
+use gks_pipeline::trace::Trace;
 use std::time::{Duration, Instant};
 
 /// The part of the surroundings in which an operator is; none where nobody is.
@@ -102,6 +103,9 @@ impl Device for Interactive {
 
     fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
         self.presenter.save();
+        if let Some(operation) = &mut self.operation {
+            operation.sketch.set_paper(page.background);
+        }
         self.canvas.begin(page)
     }
 
@@ -177,6 +181,12 @@ impl Input for Interactive {
         Ok(operation.console.measure(device).filter(|_| !operation.gone))
     }
 
+    fn show(&mut self, device: LogicalDevice, picked: Trace) -> Result<(), DeviceError> {
+        let Some(operation) = &mut self.operation else { return Ok(()) };
+        operation.console.show(device, picked);
+        operation.echo(&self.presenter)
+    }
+
     fn wait(&mut self, patience: Option<Duration>) -> Result<Report, DeviceError> {
         self.presenter.show();
         let end = patience.and_then(|patience| Instant::now().checked_add(patience));
@@ -190,6 +200,9 @@ impl Input for Interactive {
             }
             if operation.gone {
                 return Ok(Report::Gone);
+            }
+            if let Some(question) = operation.console.question() {
+                return Ok(question);
             }
             let rest = end.map(|end| end.saturating_duration_since(Instant::now()));
             match operation.operator.next(rest) {

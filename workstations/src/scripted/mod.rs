@@ -32,6 +32,7 @@ use gks_geometry::{Dc, Point};
 use gks_pipeline::description::{Category, Description};
 use gks_pipeline::device::{Device, DeviceError, Drawn, FrameBuffer, Mark, Page, Sink, Surface};
 use gks_pipeline::input::{Input, LogicalDevice, Measure, Report, Setting};
+use gks_pipeline::trace::Trace;
 use script::{Act, Entry, Step, Steps};
 use std::collections::{HashMap, VecDeque};
 use std::io;
@@ -201,6 +202,10 @@ impl Input for Scripted {
         Ok(self.operator.measures.get(&device).cloned())
     }
 
+    fn show(&mut self, _device: LogicalDevice, _picked: Trace) -> Result<(), DeviceError> {
+        Ok(())
+    }
+
     fn wait(&mut self, patience: Option<Duration>) -> Result<Report, DeviceError> {
         let deadline = patience.and_then(|patience| Instant::now().checked_add(patience));
         loop {
@@ -249,7 +254,8 @@ mod tests {
     fn start(workstation: &mut Scripted, class: InputClass, initial: Measure) {
         let all = Rect::new(0.0, 0.04, 0.0, 0.02);
         let detail = Detail::Locator;
-        let setting = Setting { echo: true, prompt: 1, area: all, within: all, initial, detail };
+        let setting =
+            Setting { echo: true, prompt: 1, area: all, within: all, initial, detail, picture: None };
         workstation.start(device(class), &setting).unwrap();
     }
 

@@ -1,5 +1,6 @@
 //! The part of the workstation state list about logical input devices.
 
+use super::menu::Menu;
 use super::value::{InputValue, LocatorValue, OfClass, OperatingMode, StrokeValue};
 use crate::DataRecord;
 use gks_geometry::{Dc, Point, Rect};
@@ -27,6 +28,8 @@ pub(crate) struct Device {
     pub(crate) area: Rect<Dc>,
     /// What the data record says to the driver.
     pub(crate) detail: Detail,
+    /// The picture whose parts are the alternatives.
+    pub(crate) menu: Option<Menu>,
     /// The data record as it was given.
     pub(crate) record: DataRecord,
 }
@@ -70,6 +73,7 @@ impl Device {
             prompt: 1,
             area: Rect::new(0.0, width, 0.0, height),
             detail: default_detail(class, description),
+            menu: None,
             record: DataRecord::default(),
         }
     }

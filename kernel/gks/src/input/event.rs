@@ -61,6 +61,7 @@ impl Gks {
                 };
                 match report {
                     Report::Trigger(measures) => self.queue_events(id, measures),
+                    Report::Pointed(of, at) => self.point_out(function, id, of, at)?,
                     // There is nothing that an operator could refuse to answer.
                     Report::Break | Report::Nothing => {}
                     Report::Gone => gone.push(id),
@@ -141,7 +142,12 @@ impl Gks {
     ) -> Option<InputValue> {
         let Gks { workstations, normalization, segments, .. } = self;
         let open = workstations.get_mut(&id)?;
-        let detail = open.input.get(device)?.detail.clone();
+        let state = open.input.get(device)?;
+        if let (Measure::Pick(position), Some(menu)) = (&measure, &state.menu) {
+            let chosen = position.and_then(|at| menu.at(&mut open.workstation, &state.area, at));
+            return Some(InputValue::Choice(chosen));
+        }
+        let detail = state.detail.clone();
         let pick = |workstation: &mut Workstation, at, half| pick::at(segments, id, workstation, at, half);
         measure::value(normalization, open, pick, &detail, measure)
     }

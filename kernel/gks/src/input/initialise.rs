@@ -1,6 +1,7 @@
 //! INITIALISE: the initial value, the prompt and the echo area of a device.
 
 use super::device::{Device, default_detail, prompts};
+use super::menu::Menu;
 use super::value::{InputStatus, InputValue, LocatorValue, OperatingMode, PickValue, StrokeValue};
 use super::{logical, no_device, record};
 use crate::workstation_transformation::on_display;
@@ -102,6 +103,9 @@ impl Gks {
     }
 
     /// INITIALISE CHOICE: the initial status, OK or NOCHOICE, and the number of the alternative for OK.
+    ///
+    /// With prompt and echo type 5 the segment that the data record names is copied, to be a menu; where there is
+    /// no such segment, the menu is one of numbers.
     ///
     /// Errors: as INITIALISE LOCATOR; 152 for another status or a number that is not one of an alternative.
     #[allow(clippy::too_many_arguments, reason = "the function of the standard has as many")]
@@ -224,9 +228,11 @@ impl Gks {
         let usual = default_detail(class, description);
         let record = record.values().ok_or_else(|| Error::new(146, function))?;
         let (initial, detail) = prepare(self, usual, &record).map_err(|error| Error::new(error, function))?;
+        let pictured = class == InputClass::Choice && prompt == 5;
+        let menu = if pictured { Menu::of(&self.segments, &record) } else { None };
         let open = self.workstation_mut(function, id)?;
         let state = open.input.get_mut(device).ok_or_else(|| no_device(function, device))?;
-        *state = Device { mode: state.mode, echo: state.echo, initial, prompt, area, detail, record };
+        *state = Device { mode: state.mode, echo: state.echo, initial, prompt, area, detail, menu, record };
         Ok(())
     }
 

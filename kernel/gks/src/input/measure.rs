@@ -42,7 +42,11 @@ fn nearest<S: gks_geometry::Space>(rect: &Rect<S>, p: Point<S>) -> Point<S> {
 }
 
 /// What a driver is told about a device when an interaction starts.
-pub(super) fn setting(normalization: &Normalization, workstation: &Workstation, device: &Device) -> Setting {
+pub(super) fn setting(
+    normalization: &Normalization,
+    workstation: &mut Workstation,
+    device: &Device,
+) -> Setting {
     let within = within(workstation);
     let place = |number: i32, p: Point<Wc>| {
         let map = normalization.to_ndc(number).then(&workstation.device_map());
@@ -59,6 +63,7 @@ pub(super) fn setting(normalization: &Normalization, workstation: &Workstation, 
         InputValue::Pick(_) => Measure::Pick(None),
         InputValue::String(value) => Measure::String(value.clone()),
     };
+    let menu = device.menu.as_ref();
     Setting {
         echo: device.echo,
         prompt: device.prompt,
@@ -66,6 +71,7 @@ pub(super) fn setting(normalization: &Normalization, workstation: &Workstation, 
         within,
         initial,
         detail: device.detail.clone(),
+        picture: menu.map(|menu| menu.trace(workstation, &device.area, None)),
     }
 }
 

@@ -8,6 +8,7 @@ mod event;
 mod initialise;
 mod inquiry;
 mod measure;
+mod menu;
 mod mode;
 mod pick;
 mod queue;

@@ -62,7 +62,7 @@ impl Gks {
         if mode == OperatingMode::Request {
             return Ok(());
         }
-        let setting = setting(normalization, &open.workstation, state);
+        let setting = setting(normalization, &mut open.workstation, state);
         match open.workstation.input() {
             Some(operator) => operator.start(device, &setting).map_err(failed),
             None => Ok(()),

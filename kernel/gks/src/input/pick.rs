@@ -1,10 +1,13 @@
 //! Pick: the segment and the primitive at a position, and the pick identifiers of primitives.
 
 use super::value::PickValue;
+use crate::gks::{OpenWorkstation, device_error};
 use crate::{Error, Function, Gks, Result};
 use gks_geometry::{Dc, Point};
+use gks_pipeline::input::{Detail, LogicalDevice};
 use gks_pipeline::pick::Aperture;
-use gks_pipeline::segment::Segments;
+use gks_pipeline::segment::{Segment, Segments};
+use gks_pipeline::trace::Trace;
 use gks_pipeline::workstation::Workstation;
 
 impl Gks {
@@ -26,6 +29,60 @@ impl Gks {
         self.check_state(Function::InquireCurrentPickIdentifierValue)?;
         Ok(self.pick)
     }
+
+    /// Has the operator shown what a device picks at a position: the prompt and echo types of picks are 1 the
+    /// primitive, 2 all primitives of the segment with its pick identifier, 3 the segment.
+    pub(super) fn point_out(
+        &mut self,
+        function: Function,
+        id: i32,
+        device: LogicalDevice,
+        position: Option<Point<Dc>>,
+    ) -> Result<()> {
+        let Gks { workstations, segments, .. } = self;
+        let Some(OpenWorkstation { workstation, input, .. }) = workstations.get_mut(&id) else {
+            return Ok(());
+        };
+        let Some(state) = input.get(device).filter(|state| state.echo) else { return Ok(()) };
+        let picked = match (position, &state.menu, &state.detail) {
+            (Some(at), Some(menu), _) => menu
+                .at(workstation, &state.area, at)
+                .map(|alternative| menu.trace(workstation, &state.area, Some(alternative))),
+            (Some(at), None, &Detail::Pick { aperture }) => {
+                hit(segments, id, workstation, at, aperture).map(|hit| hit.trace(workstation, state.prompt))
+            }
+            _ => None,
+        };
+        match workstation.input() {
+            Some(operator) => operator
+                .show(device, picked.unwrap_or_default())
+                .map_err(|error| device_error(function, &error)),
+            None => Ok(()),
+        }
+    }
+}
+
+/// What is picked.
+struct Hit<'s> {
+    segment: &'s Segment,
+    /// The place of the primitive among those of the segment.
+    primitive: usize,
+    identifier: i32,
+}
+
+impl Hit<'_> {
+    /// What is echoed with a prompt and echo type, highlighted.
+    fn trace(&self, workstation: &mut Workstation, prompt: i32) -> Trace {
+        let place = workstation.in_picture(&self.segment.appearance.transformation);
+        let items = self.segment.recording.iter();
+        let trace = match prompt {
+            2 => Trace::of(workstation, items.filter(|i| i.pick == self.identifier), &place, true),
+            3 => Trace::of(workstation, items, &place, true),
+            _ => Trace::of(workstation, items.skip(self.primitive).take(1), &place, true),
+        };
+        // Only a device fails, and there is none.
+        trace.unwrap_or_default()
+    }
 }
 
 /// What is hit by the square around a position on the display surface: of the visible and detectable segments of
@@ -37,15 +94,26 @@ pub(super) fn at(
     position: Point<Dc>,
     half: f64,
 ) -> Option<PickValue> {
+    let Hit { segment, identifier, .. } = hit(segments, id, workstation, position, half)?;
+    Some(PickValue { segment: segment.name(), identifier })
+}
+
+fn hit<'s>(
+    segments: &'s Segments,
+    id: i32,
+    workstation: &mut Workstation,
+    position: Point<Dc>,
+    half: f64,
+) -> Option<Hit<'s>> {
     let mut aperture = Aperture::new(&workstation.description().surface, position, half);
     let candidates = segments.on(id).rev().filter(|segment| segment.is_shown() && segment.detectable);
     for segment in candidates {
+        let place = workstation.in_picture(&segment.appearance.transformation);
         let mut found = None;
-        for item in &segment.recording {
+        for (primitive, item) in segment.recording.iter().enumerate() {
             // Only a device fails, and there is none.
-            let hit = aperture.meets(workstation, &item, &segment.appearance.transformation);
-            if hit.unwrap_or(false) {
-                found = Some(PickValue { segment: segment.name(), identifier: item.pick });
+            if aperture.meets(workstation, &item, &place).unwrap_or(false) {
+                found = Some(Hit { segment, primitive, identifier: item.pick });
             }
         }
         if found.is_some() {
@@ -108,6 +176,17 @@ mod tests {
         assert_eq!(picked(&mut gks, 0.55, 0.3), Some((2, 20)));
         // Inside of the letter, beside its strokes.
         assert_eq!(picked(&mut gks, 0.15, 0.85), Some((4, 40)));
+    }
+
+    #[test]
+    fn a_primitive_a_group_or_a_segment_is_echoed() {
+        let mut gks = drawn();
+        let workstation = &mut gks.workstations.get_mut(&1).unwrap().workstation;
+        let position = workstation.device_map().point(Point::new(0.3, 0.3));
+        let hit = hit(&gks.segments, 1, workstation, position, 0.001).unwrap();
+        let widths = [1, 2, 3].map(|prompt| hit.trace(workstation, prompt).bounds().unwrap().width().round());
+        // Two squares of 400 units, one of them 200 units to the right.
+        assert_eq!(widths, [400.0, 400.0, 600.0]);
     }
 
     #[test]

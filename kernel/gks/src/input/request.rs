@@ -52,7 +52,7 @@ impl Gks {
         let Gks { workstations, normalization, .. } = self;
         let Some(open) = workstations.get_mut(&id) else { return Ok(None) };
         let state = open.input.get(device).ok_or_else(|| no_device(function, device))?;
-        let setting = setting(normalization, &open.workstation, state);
+        let setting = setting(normalization, &mut open.workstation, state);
         let Some(operator) = open.workstation.input() else { return Ok(None) };
         operator.start(device, &setting).map_err(failed)?;
         let answer = self.answer(function, id, device);
@@ -70,7 +70,14 @@ impl Gks {
             let open = self.workstation_mut(function, id)?;
             let Some(operator) = open.workstation.input() else { return Ok(None) };
             let report = operator.wait(None).map_err(|error| receiving_error(function, &error))?;
-            let Report::Trigger(mut measures) = report else { return Ok(None) };
+            let mut measures = match report {
+                Report::Trigger(measures) => measures,
+                Report::Pointed(of, at) => {
+                    self.point_out(function, id, of, at)?;
+                    continue;
+                }
+                Report::Break | Report::Nothing | Report::Gone => return Ok(None),
+            };
             let mine = measures.iter().position(|(of, _)| *of == device).map(|at| measures.remove(at).1);
             self.queue_events(id, measures);
             if let Some(measure) = mine {

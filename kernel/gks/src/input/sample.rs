@@ -4,7 +4,7 @@ use super::logical;
 use super::value::{InputValue, LocatorValue, OfClass, OperatingMode, PickValue, StrokeValue};
 use crate::gks::receiving_error;
 use crate::{Error, Function, Gks, Result};
-use gks_pipeline::input::{InputClass, LogicalDevice};
+use gks_pipeline::input::{InputClass, LogicalDevice, Measure};
 
 macro_rules! samples {
     ($($(#[$doc:meta])* $name:ident, $function:ident, $class:ident -> $value:ty;)+) => {
@@ -50,6 +50,10 @@ impl Gks {
             Some(operator) => operator.sample(device).map_err(|error| receiving_error(function, &error))?,
             None => None,
         };
+        // The echo of a pick is of what is there now.
+        if let Some(Measure::Pick(position)) = measure {
+            self.point_out(function, id, device, position)?;
+        }
         Ok(measure.and_then(|measure| self.input_value(id, device, measure)).unwrap_or(initial))
     }
 }

@@ -15,6 +15,9 @@ pub struct TextExtent {
     pub corners: [Point<Wc>; 4],
 }
 
+/// The error of a workstation that is neither of category OUTPUT nor OUTIN.
+const NO_OUTPUT: i32 = 39;
+
 impl Gks {
     /// INQUIRE TEXT EXTENT: the room that a string at a position would take on a workstation, with the
     /// current attributes and the text bundles of that workstation.
@@ -26,8 +29,14 @@ impl Gks {
         position: impl Into<Point<Wc>>,
         text: &str,
     ) -> Result<TextExtent> {
-        let workstation = &self.inquired(Function::InquireTextExtent, id)?.workstation;
-        let bundle = workstation.tables().text(&self.look);
+        const F: Function = Function::InquireTextExtent;
+        let open = match self.inquired(F, id) {
+            Err(error) if error.number == NO_OUTPUT && self.defaults.text_extent_of_metafiles => {
+                self.workstation(F, id)?
+            }
+            inquired => inquired?,
+        };
+        let bundle = open.workstation.tables().text(&self.look);
         let mut layout = Layout::default();
         font::layout(text, &lower::text::style(&bundle, &self.look.text_geometry), &mut layout);
         // Text is drawn in the frame of the images of these vectors under the normalization transformation;

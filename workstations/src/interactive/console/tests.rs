@@ -16,7 +16,7 @@ fn device(class: InputClass) -> LogicalDevice {
 }
 
 fn setting(initial: Measure, detail: Detail) -> Setting {
-    Setting { echo: true, prompt: 1, area: AREA, within: AREA, initial, detail }
+    Setting { echo: true, prompt: 1, area: AREA, within: AREA, initial, detail, picture: None }
 }
 
 fn locator() -> Setting {
@@ -201,6 +201,70 @@ fn numbers_of_many_alternatives_wait_for_their_last_digit() {
     assert_eq!(fired(&mut console), Some(Measure::Choice(Some(2))));
     act(&mut console, &typed("3"));
     assert_eq!(fired(&mut console), Some(Measure::Choice(Some(3))));
+}
+
+#[test]
+fn many_alternatives_are_stepped_through_and_leave_the_picture_to_others() {
+    let mut console = started(&[(InputClass::Locator, locator()), (InputClass::Choice, choice(256, &[]))]);
+    let panel = console.started()[1].panel.clone().unwrap();
+    let press = |console: &mut Console, at: Point<Dc>| act(console, &click(pixel(at).x, pixel(at).y));
+    let [minus, plus] = panel.signs();
+    [plus, plus, plus, minus].into_iter().for_each(|sign| press(&mut console, sign.centre()));
+    assert_eq!(console.report(), None);
+    press(&mut console, panel.frame.centre());
+    assert_eq!(fired(&mut console), Some(Measure::Choice(Some(2))));
+    act(&mut console, &click(500.0, 500.0));
+    assert!(near(fired(&mut console), 0.1, 0.1), "the picture belongs to the locator");
+}
+
+#[test]
+fn pictures_are_chosen_from_by_position_or_by_number() {
+    let mut pictured = choice(3, &[]);
+    pictured.prompt = 5;
+    pictured.area = Rect::new(0.1, 0.2, 0.1, 0.2);
+    pictured.picture = Some(Trace::default());
+    let mut console = started(&[(InputClass::Choice, pictured)]);
+    let choice = device(InputClass::Choice);
+    act(&mut console, &click(250.0, 250.0));
+    assert_eq!(console.report(), None, "beside the picture");
+    assert_eq!(console.question(), None);
+    act(&mut console, &click(750.0, 250.0));
+    let at = Point::new(0.15, 0.15);
+    assert_eq!(fired(&mut console), Some(Measure::Pick(Some(at))));
+    assert_eq!(console.question(), Some(Report::Pointed(choice, Some(at))));
+    assert_eq!(console.question(), None, "once");
+    act(&mut console, &typed("3"));
+    assert_eq!(fired(&mut console), Some(Measure::Choice(Some(3))));
+    assert_eq!(console.question(), Some(Report::Pointed(choice, None)));
+}
+
+#[test]
+fn what_would_be_picked_is_asked_for_once_at_each_position() {
+    let pick = setting(Measure::Pick(None), Detail::Pick { aperture: 0.001 });
+    let mut console = started(&[(InputClass::Pick, pick.clone())]);
+    assert_eq!(console.question(), None, "nothing has been pointed at");
+    act(&mut console, &[100.0, 200.0, 500.0].map(|x| Event::Moved(DVec2::new(x, 500.0))));
+    let question = Report::Pointed(device(InputClass::Pick), Some(Point::new(0.1, 0.1)));
+    assert_eq!(console.question(), Some(question));
+    assert_eq!(console.question(), None);
+    let mut silent = started(&[(InputClass::Pick, Setting { echo: false, ..pick })]);
+    act(&mut silent, &[Event::Moved(DVec2::new(100.0, 500.0))]);
+    assert_eq!(silent.question(), None, "without echo nobody looks");
+}
+
+#[test]
+fn what_follows_the_pointer_knows_where_it_is() {
+    let mut console = console();
+    act(&mut console, &[Event::Moved(DVec2::new(500.0, 500.0))]);
+    console.start(
+        device(InputClass::Locator),
+        &Setting { initial: Measure::Locator(Point::new(0.0, 0.0)), ..locator() },
+    );
+    console.start(device(InputClass::Stroke), &stroke(9, 0.01));
+    console.start(device(InputClass::Pick), &setting(Measure::Pick(None), Detail::Pick { aperture: 0.001 }));
+    assert!(near(console.measure(device(InputClass::Locator)), 0.0, 0.0), "its initial position");
+    assert_eq!(console.measure(device(InputClass::Stroke)), Some(Measure::Stroke(vec![])), "no point yet");
+    assert_eq!(console.measure(device(InputClass::Pick)), Some(Measure::Pick(Some(Point::new(0.1, 0.1)))));
 }
 
 #[test]

@@ -72,9 +72,9 @@ function send(tag, number, x, y) {
 
 function point(tag, event, number) {
   const box = canvas.getBoundingClientRect();
-  // The middle of the pixel that the pointer is on.
-  const x = (Math.floor(event.clientX - box.left) + 0.5) * canvas.width / box.width;
-  const y = (Math.floor(event.clientY - box.top) + 0.5) * canvas.height / box.height;
+  // The middle of the pixel that the pointer is on; browsers show pictures from whole pixels on.
+  const x = (Math.floor(event.clientX - Math.round(box.left)) + 0.5) * canvas.width / box.width;
+  const y = (Math.floor(event.clientY - Math.round(box.top)) + 0.5) * canvas.height / box.height;
   send(tag, number, x, y);
 }
 
