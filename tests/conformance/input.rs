@@ -4,7 +4,7 @@ use crate::catalogue::DEVICES;
 use crate::provocations::{Provocation, meets};
 use crate::situation::WITH_OPERATOR;
 use gks::Function::*;
-use gks::{DataRecord, Gks, InputClass, InputStatus, OperatingMode, Points, Result, ValueType};
+use gks::{DataRecord, Gks, InputClass, InputStatus, Line, OperatingMode, Points, Result, ValueType};
 use gks_pipeline::generated::numbers;
 
 const AREA: (f64, f64, f64, f64) = (0.0, 0.1, 0.0, 0.1);
@@ -16,6 +16,8 @@ const OUTSIDE: Points<'static> = Points::Tuples(&[(0.5, 0.5), (1.7, 0.5)]);
 const NONE: i32 = DEVICES as i32 + 1;
 /// The device that is in mode SAMPLE.
 const SAMPLED: i32 = 2;
+/// What is no data record.
+const GARBAGE: &[Line] = &[[b'x'; 80]];
 /// No class has this prompt and echo type.
 const STRANGE: i32 = 99;
 
@@ -84,6 +86,7 @@ pub(crate) static PROVOCATIONS: &[Provocation] = &[
     meets(145, InitialiseLocator, |g, id| locator(g, id, 1, 1, FAR, &empty())),
     meets(146, InitialiseLocator, |g, id| locator(g, id, 1, 4, AREA, &integers(&[2]))),
     meets(146, InitialiseLocator, |g, id| locator(g, id, 1, 5, AREA, &integers(&[0, -1]))),
+    meets(146, InitialiseLocator, |g, id| g.initialise_locator(id, 1, 0, (0.5, 0.5), 1, AREA, GARBAGE)),
     meets(152, InitialiseLocator, |g, id| g.initialise_locator(id, 1, 0, (1.5, 0.5), 1, AREA, &empty())),
     meets(152, InitialiseLocator, |g, id| g.initialise_locator(id, 1, -1, (0.5, 0.5), 1, AREA, &empty())),
     meets(152, InitialiseLocator, |g, id| g.initialise_locator(id, 1, 0, (f64::NAN, 0.5), 1, AREA, &empty())),
@@ -110,6 +113,7 @@ pub(crate) static PROVOCATIONS: &[Provocation] = &[
     meets(141, InitialiseChoice, |g, id| choice(g, id, SAMPLED, 1, AREA, &empty())),
     meets(144, InitialiseChoice, |g, id| choice(g, id, 1, STRANGE, AREA, &empty())),
     meets(145, InitialiseChoice, |g, id| choice(g, id, 1, 1, FAR, &empty())),
+    meets(146, InitialiseChoice, |g, id| g.initialise_choice(id, 1, InputStatus::Ok, 1, 1, AREA, GARBAGE)),
     meets(146, InitialiseChoice, |g, id| choice(g, id, 1, 2, AREA, &empty())),
     meets(146, InitialiseChoice, |g, id| choice(g, id, 1, 3, AREA, &empty())),
     meets(146, InitialiseChoice, |g, id| choice(g, id, 1, 5, AREA, &integers(&[1]))),

@@ -214,6 +214,18 @@ mod tests {
     }
 
     #[test]
+    fn a_record_that_is_given_is_unpacked_and_blank_lines_are_an_empty_one() {
+        let record = DataRecord::new(&[1], &[], &["x"]);
+        let packed = record.pack(1).unwrap();
+        assert_eq!(GivenRecord::from(&packed[..]).values(), Some(record.clone()));
+        assert_eq!(GivenRecord::from(&record).values(), Some(record));
+        for nothing in [&[][..], &[[b' '; LINE]; 2], &[[0; LINE]]] {
+            assert_eq!(GivenRecord::from(nothing).values(), Some(DataRecord::default()));
+        }
+        assert_eq!(GivenRecord::from(&[[b'x'; LINE]][..]).values(), None);
+    }
+
+    #[test]
     fn every_value_comes_back() {
         let reals = [0.1, f64::from(0.1_f32), 1e300, -5e-324, -0.0, f64::MAX, 1e-40, f64::NEG_INFINITY];
         let strings = ["", " ", "ends in blanks   ", "2:x", "größer als 80 Bytes, ".repeat(9).as_str()]
