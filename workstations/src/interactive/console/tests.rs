@@ -229,7 +229,7 @@ fn pictures_are_chosen_from_by_position_or_by_number() {
     assert_eq!(console.report(), None, "beside the picture");
     assert_eq!(console.question(), None);
     act(&mut console, &click(750.0, 250.0));
-    let at = Point::new(0.15, 0.15);
+    let at = Point::new(750.0 * 0.0002, 0.2 - 250.0 * 0.0002);
     assert_eq!(fired(&mut console), Some(Measure::Pick(Some(at))));
     assert_eq!(console.question(), Some(Report::Pointed(choice, Some(at))));
     assert_eq!(console.question(), None, "once");
