@@ -40,7 +40,7 @@ impl Aperture {
     ) -> Result<bool, DeviceError> {
         self.hit = false;
         self.by_bounds = matches!(item.shape, Shape::Text(..));
-        workstation.paint_on(self, item, transformation)?;
+        workstation.paint_on(self, item, transformation, false)?;
         Ok(self.hit)
     }
 
