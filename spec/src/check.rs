@@ -2,6 +2,7 @@
 
 mod ctype;
 mod element;
+mod error;
 mod number;
 mod state;
 
@@ -36,7 +37,7 @@ pub(crate) fn check(tables: &Tables) -> Vec<String> {
             faults.push(format!("{}: {fault}", function.name));
         }
     }
-    errors(tables, &mut faults);
+    error::check(tables, &mut faults);
     enumerations(tables, &mut faults);
     state::check(tables, &mut faults);
     ctype::check(tables, &mut faults);
@@ -249,19 +250,6 @@ fn parameter_faults(tables: &Tables, parameters: &[Parameter]) -> Vec<String> {
         }
     }
     faults
-}
-
-fn errors(tables: &Tables, faults: &mut Vec<String>) {
-    unique("error", tables.errors.iter().map(|e| e.number), faults);
-    for error in &tables.errors {
-        let sentence = error.text.starts_with(char::is_uppercase) && error.text.ends_with('.');
-        if !sentence || error.category.is_empty() {
-            faults.push(format!(
-                "error {}: the text is not a sentence or the category is missing",
-                error.number
-            ));
-        }
-    }
 }
 
 fn enumerations(tables: &Tables, faults: &mut Vec<String>) {

@@ -6,6 +6,7 @@
 mod check;
 mod coverage;
 mod elements;
+mod error_numbers;
 mod error_text;
 mod fortran_include;
 mod function;
@@ -32,9 +33,10 @@ const OUTPUTS: &[(&str, Generator)] = &[
     ("kernel/pipeline/src/generated/mod.rs", |_| module("Copied out of `spec/numbers.toml`.", &["numbers"])),
     ("kernel/pipeline/src/generated/numbers.rs", numbers::generate),
     ("bindings/cli/src/generated/mod.rs", |_| {
-        module("Copied out of the tables in `spec` and the sources.", &["coverage"])
+        module("Copied out of the tables in `spec` and the sources.", &["coverage", "error_numbers"])
     }),
     ("bindings/cli/src/generated/coverage.rs", coverage::generate),
+    ("bindings/cli/src/generated/error_numbers.rs", error_numbers::generate),
     ("bindings/c/include/gks.h", header::generate),
     ("bindings/fortran/include/gks.inc", fortran_include::generate),
     ("bindings/fortran/include/gkspar.inc", fortran_include::generate_demonstration),

@@ -21,6 +21,7 @@ pub(crate) use state::{Entry, States};
 pub(crate) struct Tables {
     pub(crate) functions: Vec<Function>,
     pub(crate) errors: Vec<Error>,
+    pub(crate) error_categories: Vec<ErrorCategory>,
     pub(crate) enumerations: Enumerations,
     pub(crate) states: States,
     pub(crate) types: Types,
@@ -36,6 +37,7 @@ impl Tables {
         Ok(Self {
             functions: functions.function,
             errors: errors.error,
+            error_categories: errors.category,
             enumerations: read(&spec.join("gks/enumerations.toml"))?,
             states: read(&spec.join("gks/states.toml"))?,
             types: read(&spec.join("gks/types.toml"))?,
@@ -59,6 +61,7 @@ struct FunctionFile {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ErrorFile {
+    category: Vec<ErrorCategory>,
     error: Vec<Error>,
 }
 
@@ -114,8 +117,20 @@ pub(crate) struct Error {
     pub(crate) number: i32,
     pub(crate) category: String,
     pub(crate) text: String,
+    /// The test that provokes it, where no function lists it.
+    pub(crate) provoked_by: Option<String>,
+    /// Why this library never reports it.
+    pub(crate) never: Option<String>,
     #[serde(rename = "note")]
     _note: Option<String>,
+}
+
+/// A category of error numbers that this library never reports, and why.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ErrorCategory {
+    pub(crate) name: String,
+    pub(crate) never: String,
 }
 
 /// The enumerations and the numbers that have names.

@@ -25,6 +25,10 @@ pub(crate) const UNENCODABLE: i32 = 90_002;
 pub(crate) const INDEXED: i32 = 90_003;
 /// As [`NULL`], but with an operator and [`DEVICES`] input devices of each class.
 pub(crate) const OPERATED: i32 = 90_004;
+/// As [`OPERATED`], but what the operator does is not heard.
+pub(crate) const UNHEARD: i32 = 90_005;
+/// A metafile that cannot be read.
+pub(crate) const UNREADABLE: i32 = 90_006;
 /// How many input devices of each class the workstations with an operator have.
 pub(crate) const DEVICES: u32 = 3;
 /// The type of a category is this number plus the category; otherwise as [`NULL`].
@@ -62,7 +66,7 @@ impl Recording {
 /// The type of the library that a type of these tests is made of.
 fn base(number: i32) -> i32 {
     match number {
-        BROKEN | UNENCODABLE | OPERATED => NULL,
+        BROKEN | UNENCODABLE | OPERATED | UNHEARD | UNREADABLE => NULL,
         INDEXED => FRAME_BUFFER,
         _ if Category::from_number(number - CATEGORIES).is_some() => NULL,
         _ => number,
@@ -73,7 +77,8 @@ fn base(number: i32) -> i32 {
 fn changed(number: i32, description: Description) -> Description {
     let category = Category::from_number(number - CATEGORIES).unwrap_or(description.category);
     let colours = if number == INDEXED { 256 } else { description.colours };
-    let category = if number == OPERATED { Category::OutIn } else { category };
+    let category = if matches!(number, OPERATED | UNHEARD) { Category::OutIn } else { category };
+    let category = if number == UNREADABLE { Category::MetafileInput } else { category };
     let input = match category {
         Category::OutIn | Category::Input => [DEVICES; 6],
         _ => description.input,
@@ -95,7 +100,8 @@ impl Catalogue for Recording {
         let (device, description) = self.drivers.open(base(number), connection)?;
         let description = changed(number, description);
         if description.category == Category::MetafileInput {
-            return Ok((Backend::Source(Box::new(Senseless { given: false })), description));
+            let source = Senseless { given: false, is_readable: number != UNREADABLE };
+            return Ok((Backend::Source(Box::new(source)), description));
         }
         let Backend::Device(device) = device else {
             return Ok((device, description));
@@ -103,8 +109,8 @@ impl Catalogue for Recording {
         if number == CATEGORIES + Category::Wiss as i32 {
             return Ok((Backend::Storage, description));
         }
-        let operator =
-            matches!(description.category, Category::OutIn | Category::Input).then(Operator::default);
+        let operator = matches!(description.category, Category::OutIn | Category::Input)
+            .then(|| Operator { is_heard: number != UNHEARD, ..Operator::default() });
         let recorded = Recorded { device, fault: number, log: self.log.clone(), operator };
         Ok((Backend::Device(Box::new(recorded)), description))
     }
@@ -113,10 +119,14 @@ impl Catalogue for Recording {
 /// A metafile with one item, which makes no sense.
 struct Senseless {
     given: bool,
+    is_readable: bool,
 }
 
 impl Source for Senseless {
     fn next(&mut self) -> Result<Option<Record<'_>>, SourceError> {
+        if !self.is_readable {
+            return Err(SourceError::Io(io::Error::other("nothing can be read")));
+        }
         if std::mem::replace(&mut self.given, true) {
             return Ok(None);
         }
@@ -135,25 +145,36 @@ struct Recorded {
 
 /// An operator who enters the initial values of all devices that are started, by one trigger at a time.
 #[derive(Default)]
-struct Operator(BTreeMap<(i32, i32), (LogicalDevice, Measure)>);
+struct Operator {
+    started: BTreeMap<(i32, i32), (LogicalDevice, Measure)>,
+    is_heard: bool,
+}
+
+impl Operator {
+    fn listen(&self) -> Result<(), DeviceError> {
+        if self.is_heard { Ok(()) } else { Err(io::Error::other("nobody is heard").into()) }
+    }
+}
 
 impl Input for Operator {
     fn start(&mut self, device: LogicalDevice, setting: &Setting) -> Result<(), DeviceError> {
-        self.0.insert((device.class as i32, device.number), (device, setting.initial.clone()));
+        self.started.insert((device.class as i32, device.number), (device, setting.initial.clone()));
         Ok(())
     }
 
     fn stop(&mut self, device: LogicalDevice) -> Result<(), DeviceError> {
-        self.0.remove(&(device.class as i32, device.number));
+        self.started.remove(&(device.class as i32, device.number));
         Ok(())
     }
 
     fn sample(&mut self, device: LogicalDevice) -> Result<Option<Measure>, DeviceError> {
-        Ok(self.0.get(&(device.class as i32, device.number)).map(|(_, measure)| measure.clone()))
+        self.listen()?;
+        Ok(self.started.get(&(device.class as i32, device.number)).map(|(_, measure)| measure.clone()))
     }
 
     fn wait(&mut self, _patience: Option<Duration>) -> Result<Report, DeviceError> {
-        Ok(Report::Trigger(self.0.values().cloned().collect()))
+        self.listen()?;
+        Ok(Report::Trigger(self.started.values().cloned().collect()))
     }
 }
 

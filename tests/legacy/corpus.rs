@@ -32,7 +32,8 @@ impl End {
     fn read(folder: &Path) -> End {
         let text = std::fs::read_to_string(folder.join("status")).unwrap_or_default();
         match text.trim().parse() {
-            Ok(124) => End::Timeout,
+            // `timeout` gave up, or the processor time ran out.
+            Ok(124 | 152) => End::Timeout,
             Ok(status @ 129..=159) => End::Signal(status - 128),
             Ok(status) => End::Status(status),
             Err(_) => End::Missing,

@@ -5,5 +5,5 @@ pub mod likeness;
 #[path = "../pictures/mod.rs"]
 pub mod pictures;
 pub mod program;
-pub mod random;
+pub use gks_cli::bench::random;
 pub mod reader;

@@ -85,6 +85,22 @@ pub fn run(program: &Path, environment: &[(&str, &str)]) -> Output {
     command.envs(environment.iter().copied()).output().expect("the program runs")
 }
 
+/// An example of XGKS: installed, or else taken out of the package of Debian, which is downloaded once.
+pub fn example(name: &str) -> Option<PathBuf> {
+    const EXAMPLES: &str = "usr/share/doc/libxgks-dev/examples";
+    let folder = repository().join("target/legacy/xgks");
+    let find = || {
+        let roots = [Path::new("/"), &folder];
+        roots.map(|root| root.join(EXAMPLES).join(name)).into_iter().find(|file| file.exists())
+    };
+    if find().is_none() {
+        fs::create_dir_all(&folder).ok()?;
+        let unpack = "apt-get download -qq libxgks-dev && dpkg-deb -x libxgks-dev_*.deb .";
+        Command::new("sh").args(["-c", unpack]).current_dir(&folder).output().ok()?;
+    }
+    find()
+}
+
 /// Checks that a program found nothing wrong, whose last word is then `good`.
 pub fn assert_good(output: &Output) {
     let text = String::from_utf8_lossy(&output.stdout);

@@ -17,7 +17,7 @@ mod segment;
 #[path = "../conformance/situation.rs"]
 mod situation;
 
-use catalogue::{BROKEN, CATEGORIES, Log, NULL, UNENCODABLE};
+use catalogue::{BROKEN, CATEGORIES, Log, NULL, UNENCODABLE, UNHEARD, UNREADABLE};
 use generated::SAMPLES;
 use gks::{
     CoordinateSwitch, DataRecord, Detectability, Function, Gks, Highlighting, InputClass, InputStatus, Level,
@@ -351,4 +351,28 @@ fn a_device_that_fails_is_reported_and_the_others_go_on() {
         assert_eq!(number(Function::CloseWorkstation, &gks.close_workstation(3)), error);
         assert_eq!(gks.open_workstation(3, "", NULL), Ok(()), "the identifier is not free again");
     }
+}
+
+#[test]
+fn an_operator_who_is_not_heard_is_reported() {
+    let (mut gks, _) = at(OperatingState::Wsac);
+    gks.open_workstation(3, "", UNHEARD).expect("it opens");
+    gks.set_choice_mode(3, 2, OperatingMode::Sample, true).expect("the workstation has the device");
+    let request = gks.request_choice(3, 1).map(drop);
+    assert_eq!(number(Function::RequestChoice, &request), 305);
+    let sample = gks.sample_choice(3, 2).map(drop);
+    assert_eq!(number(Function::SampleChoice, &sample), 305);
+    gks.set_choice_mode(3, 3, OperatingMode::Event, true).expect("the workstation has the device");
+    assert_eq!(number(Function::AwaitEvent, &gks.await_event(0.0).map(drop)), 305);
+    assert_eq!(gks.close_workstation(3), Ok(()));
+}
+
+#[test]
+fn a_metafile_that_cannot_be_read_is_reported() {
+    let (mut gks, _) = at(OperatingState::Wsac);
+    gks.open_workstation(3, "", UNREADABLE).expect("it opens");
+    let item = gks.get_item_type_from_gksm(3).map(drop);
+    assert_eq!(number(Function::GetItemTypeFromGksm, &item), 302);
+    assert_eq!(number(Function::ReadItemFromGksm, &gks.read_item_from_gksm(3, 80).map(drop)), 302);
+    assert_eq!(gks.close_workstation(3), Ok(()));
 }

@@ -1,12 +1,13 @@
 //! The libraries that stand in for XGKS and for the GKS of GR: their symbols, and that their names draw what those of
 //! ISO draw.
 
-use gks_tests::program::{self, has_compiler, repository, run};
+use gks_tests::program::{self, assert_good, example, has_compiler, repository, run};
+use gks_tests::reader::skip;
 use std::collections::BTreeSet;
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
 use std::sync::OnceLock;
 
 /// The folder of the libraries, which are built if they are not up to date.
@@ -49,31 +50,58 @@ fn the_libraries_have_all_symbols_of_their_lists() {
     assert_eq!(missing("gr", "libGKS.so"), [""; 0]);
 }
 
-/// Compiles a program of `programs/compat` with the header and the library of its binding, runs it, and gives the
-/// picture that it wrote.
-fn picture(name: &str, include: &str, library: &str) -> Vec<u8> {
+/// The header and the library of a binding.
+#[derive(Copy, Clone)]
+struct Binding {
+    include: &'static str,
+    library: &'static str,
+}
+
+const ISO: Binding = Binding { include: "c/include", library: "libgks.so" };
+const XGKS: Binding = Binding { include: "compat/xgks/include", library: "libxgks_gfortran.so" };
+const GR: Binding = Binding { include: "compat/gr/include", library: "libGKS.so" };
+
+/// Compiles a program of `programs/compat` with the header and the library of its binding, into a folder of its own.
+fn compile(name: &str, binding: Binding) -> PathBuf {
     let folder = program::folder(env!("CARGO_TARGET_TMPDIR"), "compat", name);
     let program = folder.join(name);
     let mut compiler = Command::new("gcc");
     compiler.args(["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror"]);
-    compiler.arg("-I").arg(repository().join("bindings").join(include)).arg("-o").arg(&program);
+    compiler.arg("-I").arg(repository().join("bindings").join(binding.include)).arg("-o").arg(&program);
     compiler.arg(repository().join("tests/programs/compat").join(name).with_extension("c"));
     // Programs look for a library by the name that is in it, so that this one gets a link of that name.
-    compiler.arg(libraries().join(library)).arg("-lm");
+    compiler.arg(libraries().join(binding.library)).arg("-lm");
     let compiled = compiler.output().expect("the compiler runs");
     assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+    front(&folder);
+    program
+}
+
+/// Puts a link to the library for XGKS into a folder, under the name that programs know.
+fn front(folder: &Path) {
     #[cfg(unix)]
     std::os::unix::fs::symlink(libraries().join("libxgks_gfortran.so"), folder.join("libxgks-gfortran.so.2"))
         .expect("a link to the library");
-    let path = env::join_paths([folder.as_path(), libraries()]).expect("folders without colons");
+}
+
+/// Runs a program with the libraries in front of all others.
+fn start(program: &Path, environment: &[(&str, &str)]) -> Output {
+    let folder = program.parent().expect("the folder of the program");
+    let path = env::join_paths([folder, libraries()]).expect("folders without colons");
     let path = path.to_str().expect("folders in UTF-8");
-    let output = run(&program, &[("LD_LIBRARY_PATH", path)]);
+    run(program, &[&[("LD_LIBRARY_PATH", path)], environment].concat())
+}
+
+/// The picture that a program writes.
+fn picture(name: &str, binding: Binding) -> Vec<u8> {
+    let program = compile(name, binding);
+    let output = start(&program, &[]);
     assert!(output.status.success(), "{name}: {output:?}");
     if name == "xgks" {
         let said = String::from_utf8_lossy(&output.stdout);
         assert!(said.starts_with("SET LINETYPE   63 "), "{said}");
     }
-    fs::read(folder.join(name).with_extension("png")).expect("the picture")
+    fs::read(program.with_extension("png")).expect("the picture")
 }
 
 #[cfg(target_os = "linux")]
@@ -82,8 +110,155 @@ fn all_bindings_to_c_draw_the_same_figure() {
     if !has_compiler("gcc") {
         return;
     }
-    let iso = picture("iso", "c/include", "libgks.so");
+    let iso = picture("iso", ISO);
     assert!(iso.starts_with(b"\x89PNG") && iso.len() > 4000);
-    assert!(picture("xgks", "compat/xgks/include", "libxgks_gfortran.so") == iso, "XGKS differs from ISO");
-    assert!(picture("gr", "compat/gr/include", "libGKS.so") == iso, "GR differs from ISO");
+    assert!(picture("xgks", XGKS) == iso, "XGKS differs from ISO");
+    assert!(picture("gr", GR) == iso, "GR differs from ISO");
+    assert!(picture("gr_classic", GR) == iso, "the C names of 1988 of GR differ from ISO");
+}
+
+/// Paths and the other primitives of GR are where it draws them, in its colours.
+#[cfg(target_os = "linux")]
+#[test]
+fn primitives_of_gr_are_drawn() {
+    if !has_compiler("gcc") {
+        return;
+    }
+    let picture = image::load_from_memory(&picture("gr_more", GR)).expect("a picture").into_rgb8();
+    let at = |x: f64, y: f64| picture.get_pixel((1000.0 * x) as u32, (1000.0 * (1.0 - y)) as u32).0;
+    assert_eq!(at(0.15, 0.3), [0xff, 0xb3, 0x00], "the path is filled");
+    assert_eq!(at(0.25, 0.25), [0xff; 3], "it has a hole");
+    assert_eq!(at(0.125, 0.2), [0x00, 0x00, 0xff], "and an edge");
+    assert_eq!(at(0.55, 0.7), [0x00, 0x80, 0xff], "the polygon has a colour of its own");
+    assert_eq!(at(0.6, 0.5015), [0xff, 0x00, 0x00], "so has a line");
+    assert_eq!(at(0.7405, 0.1255), [0xff, 0x80, 0x80], "and a marker, whose arm lies on two rows of pixels");
+}
+
+/// Every class of input in every mode.
+#[cfg(target_os = "linux")]
+#[test]
+fn programs_of_xgks_are_operated_by_a_script() {
+    if !has_compiler("gcc") {
+        return;
+    }
+    let script = repository().join("tests/programs/compat/xgks_input.txt");
+    let environment = [("GKS_WSTYPE", "scripted"), ("GKS_SCRIPT", &script.to_string_lossy())];
+    assert_good(&start(&compile("xgks_input", XGKS), &environment));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn programs_of_xgks_write_read_and_interpret_metafiles() {
+    if !has_compiler("gcc") {
+        return;
+    }
+    let program = compile("xgks_metafile", XGKS);
+    assert_good(&start(&program, &[]));
+    let file = |name| fs::read(program.with_file_name(name)).expect("a file of the program");
+    assert!(file("xgks.png") == file("direct.png"), "the metafile shows another picture");
+    assert!(file("xgks.gksm").starts_with(b"GKSM"));
+
+    // The tool of Ferret that turns metafiles into PostScript looks into the items by itself.
+    let tool = Path::new("/usr/bin/gksm2ps");
+    if !tool.exists() {
+        return skip("gksm2ps", "there is no package ferret-vis");
+    }
+    let copy = program.with_file_name("gksm2ps");
+    fs::copy(tool, &copy).expect("a copy of the tool");
+    let limited = program.with_file_name("limited");
+    fs::write(&limited, "#!/bin/sh\nexec timeout 60 ./gksm2ps -R -l cps -o xgks.ps xgks.gksm\n")
+        .expect("a file");
+    let permissions = fs::metadata(&copy).expect("it is there").permissions();
+    fs::set_permissions(&limited, permissions).expect("it is ours");
+    let output = start(&limited, &[]);
+    assert!(output.status.success(), "{output:?}");
+    let page = String::from_utf8_lossy(&file("xgks.ps")).into_owned();
+    for part in [
+        "0.500000 0.750000 ln",
+        "(Text in a metafile) 0.250000 0.125000 text",
+        "ct 9 [1.000000 0.500000 0.250000]",
+    ] {
+        assert!(page.contains(part), "{part} is not in\n{page}");
+    }
+}
+
+/// The header has the layouts and the values of the original, where that is installed.
+#[test]
+fn the_header_for_xgks_has_the_layouts_of_the_original() {
+    let original = Path::new("/usr/include/xgks.h");
+    if !has_compiler("gcc") {
+        return;
+    }
+    if !original.exists() {
+        return skip("the header of XGKS", "there is no package libxgks-dev");
+    }
+    let folder = program::folder(env!("CARGO_TARGET_TMPDIR"), "compat", "layouts");
+    let source = repository().join("tests/programs/compat/xgks_layouts.c");
+    let layouts = |name: &str, include: &Path| {
+        let program = folder.join(name);
+        let mut compiler = Command::new("gcc");
+        compiler.args(["-std=gnu99", "-w", "-I"]).arg(include).arg("-o").arg(&program);
+        let compiled = compiler.arg(&source).output().expect("the compiler runs");
+        assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+        String::from_utf8(run(&program, &[]).stdout).expect("lines of text")
+    };
+    let ours = layouts("ours", &repository().join("bindings/compat/xgks/include"));
+    let theirs = layouts("theirs", original.parent().expect("a folder"));
+    assert!(ours.lines().count() > 300);
+    let differences: Vec<_> = ours.lines().zip(theirs.lines()).filter(|(a, b)| a != b).collect();
+    assert!(differences.is_empty() && ours == theirs, "{differences:?}");
+}
+
+/// C++ programs include the headers, too.
+#[test]
+fn the_headers_are_cpp() {
+    if !has_compiler("g++") {
+        return;
+    }
+    for (name, binding) in [("xgks", XGKS), ("gks", GR)] {
+        let source = program::folder(env!("CARGO_TARGET_TMPDIR"), "compat-cpp", name).join("header.cpp");
+        fs::write(&source, format!("#include <{name}.h>\n")).expect("the program can be written");
+        let include = repository().join("bindings").join(binding.include);
+        let compiled = Command::new("g++")
+            .args(["-std=c++11", "-pedantic", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I"])
+            .args([&include, &source])
+            .output()
+            .expect("g++ runs");
+        assert!(compiled.status.success(), "{name}: {}", String::from_utf8_lossy(&compiled.stderr));
+    }
+}
+
+/// The examples of XGKS, as Debian ships their sources, on this library.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_examples_of_xgks_draw() {
+    let (Some(star), Some(hanoi)) = (example("star.f"), example("hanoi.c")) else {
+        return skip("the examples of XGKS", "there is no package libxgks-dev");
+    };
+    if !has_compiler("gcc") || !has_compiler("gfortran") {
+        return;
+    }
+    let folder = program::folder(env!("CARGO_TARGET_TMPDIR"), "compat", "examples");
+    front(&folder);
+    let build = |compiler: &str, arguments: &[&str], include: &[&str], source: &Path, name: &str| {
+        let program = folder.join(name);
+        let mut command = Command::new(compiler);
+        command.args(arguments).arg("-o").arg(&program).arg(source);
+        command.args(include.iter().map(|folder| format!("-I{}", repository().join(folder).display())));
+        let compiled =
+            command.arg(libraries().join("libxgks_gfortran.so")).arg("-lm").output().expect("it runs");
+        assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+        program
+    };
+    let legacy = ["-std=legacy", "-w"];
+    let star = build("gfortran", &legacy, &["bindings/fortran/include"], &star, "star");
+    let include = ["bindings/compat/xgks/include", "tests/legacy/xgks"];
+    let hanoi = build("gcc", &["-std=gnu89", "-w"], &include, &hanoi, "hanoi");
+    for (program, name) in [(star, "star"), (hanoi, "hanoi")] {
+        let output = start(&program, &[("GKS_CONID", &format!("{name}.png"))]);
+        assert!(output.status.success(), "{name}: {output:?}");
+        let picture = image::open(folder.join(format!("{name}.png"))).expect("the picture").into_rgb8();
+        let drawn = picture.pixels().filter(|pixel| pixel.0 != [255; 3]).count();
+        assert!(drawn > 1000, "{name}: {drawn} pixels");
+    }
 }

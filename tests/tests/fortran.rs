@@ -137,6 +137,26 @@ fn a_program_that_closes_nothing_leaves_a_complete_picture() {
 }
 
 #[test]
+fn gks_is_as_new_after_every_way_of_closing_it() {
+    let Some(folder) = passes(&["reopen"], Linking::Shared, &[]) else { return };
+    let first = ["GKS ERROR 63 IN SET LINETYPE", "GKS ERROR 66 IN SET POLYMARKER INDEX"];
+    let last = "GKS ERROR 65 IN SET LINEWIDTH SCALE FACTOR";
+    for round in 1..=4 {
+        let log = fs::read_to_string(folder.join(format!("fort.{}", 20 + round))).expect("the error file");
+        let heads: Vec<&str> = log.lines().map(|line| line.split(':').next().unwrap_or_default()).collect();
+        assert!(heads.starts_with(&first) && heads.len() == 2 + usize::from(round == 3), "{log}");
+        assert_eq!(heads.contains(&last), round == 3, "{log}");
+        let file = |extension: &str| {
+            let name = format!("gks.{round}.{extension}");
+            fs::read(folder.join(&name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+        };
+        assert!(file("png").ends_with(b"IEND\xaeB`\x82"), "picture {round} is not complete");
+        // END ITEM: its name, and zeros for its type and its length.
+        assert!(file("gksm").ends_with(b"GKSM\0\0\0\0\0\0\0\0"), "metafile {round} is not complete");
+    }
+}
+
+#[test]
 fn utilities_of_ncar_graphics_find_what_they_expect() {
     let environment = [("GKS_DIALECT", "ncar"), ("GKS_WSTYPE", "svg")];
     let Some(folder) = passes(&["ncar", "recorder"], Linking::Shared, &environment) else { return };

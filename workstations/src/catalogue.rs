@@ -44,6 +44,8 @@ struct Selection {
     redirected: bool,
     /// Whether nobody has chosen, so that the name of the file may decide.
     open: bool,
+    /// Whether it keeps its picture, unless the name of the file says that it is a metafile.
+    kept: bool,
 }
 
 impl Selection {
@@ -139,6 +141,7 @@ impl Drivers {
             preset,
             redirected: wish.is_some() || (meaning == Meaning::Chosen && number != own::DEFAULT),
             open: wish.is_none() && number == own::DEFAULT,
+            kept: meaning == Meaning::Kept,
             options: wish.as_ref().map_or(String::new(), |wish| wish.options.to_owned()),
             file: wish.and_then(|wish| wish.file).map(str::to_owned),
         })
@@ -154,6 +157,10 @@ impl Drivers {
             let named = self.environment.conid.as_deref().map_or(name, |text| split_connection(text).0);
             selection.kind = sink::extension(named).and_then(by_extension).unwrap_or(selection.kind);
         }
+        if selection.kept {
+            let metafile = self.environment.metafile_of(name).and_then(by_number);
+            selection.kind = metafile.unwrap_or(selection.kind);
+        }
         let options = self.options(&selection, &[(connection, list)])?;
         let target = self.target(&selection, name);
         Ok((selection, target, options))
@@ -168,6 +175,9 @@ impl Drivers {
             options.set(list, limits).map_err(refused)
         };
         set("", selection.preset)?;
+        if let Some(value) = &self.environment.reduce {
+            set(&format!("GKS_REDUCE={value}"), &format!("reduce={value}"))?;
+        }
         if let Some(list) = &self.environment.options {
             set(&format!("GKS_OPTIONS={list}"), list)?;
         }

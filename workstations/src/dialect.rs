@@ -20,7 +20,7 @@ pub enum Dialect {
 /// What a number of a dialect is here.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(crate) enum Meaning {
-    /// The type that the user chose, else the default: metafiles and windows.
+    /// The type that the user chose, else the default: windows, and metafiles of formats that nobody reads.
     Chosen,
     /// A type of our own, with options.
     Own(i32, &'static str),
@@ -51,9 +51,10 @@ const fn landscape(first: i32, last: i32, number: i32) -> Foreign {
     foreign(first, last, Category::Output, Meaning::Own(number, "landscape=1"))
 }
 
-/// NCAR Graphics 6: 20 to 31 are PostScript, EPS and EPSI, in colour and monochrome, portrait first.
+/// NCAR Graphics 6: 20 to 31 are PostScript, EPS and EPSI, in colour and monochrome, portrait first; from 40 on what it
+/// draws with cairo, 44 and 46 in windows.
 const NCAR: &[Foreign] = &[
-    foreign(1, 1, Category::MetafileOutput, Meaning::Chosen),
+    foreign(1, 1, Category::MetafileOutput, Meaning::Own(own::NCGM, "")),
     foreign(3, 3, Category::Wiss, Meaning::Own(own::WISS, "")),
     foreign(7, 8, Category::OutIn, Meaning::Chosen),
     foreign(10, 10, Category::Output, Meaning::Chosen),
@@ -70,6 +71,11 @@ const NCAR: &[Foreign] = &[
     output(40, 40, own::PS),
     output(41, 41, own::PNG),
     output(42, 42, own::PDF),
+    output(43, 43, own::TIFF),
+    foreign(44, 44, Category::OutIn, Meaning::Chosen),
+    output(45, 45, own::EPS),
+    foreign(46, 46, Category::OutIn, Meaning::Chosen),
+    output(47, 47, own::SVG),
 ];
 
 /// XGKS: its types have names, which its Fortran binding numbers in this order: MI, MO, WISS and windows. MO writes
@@ -145,6 +151,17 @@ impl Dialect {
         }
     }
 
+    /// The type of the metafile that a program writes into a file of this name, where the dialect has one type for metafiles
+    /// and pictures; none for a picture. XGKS calls its GKSM what Ferret does, `.plt`.
+    pub fn metafile_of(self, name: &str) -> Option<i32> {
+        let extension = crate::sink::extension(name)?.to_ascii_lowercase();
+        match (self, extension.as_str()) {
+            (Dialect::Xgks, "gksm" | "gkm" | "plt") => Some(own::GKSM),
+            (Dialect::Xgks, "cgm") => Some(own::CGM),
+            _ => None,
+        }
+    }
+
     /// What a number is in the dialect, if it is one of its numbers.
     pub(crate) fn find(self, number: i32) -> Option<&'static Foreign> {
         self.table().iter().find(|f| (f.first..=f.last).contains(&number))
@@ -165,6 +182,16 @@ mod tests {
     }
 
     #[test]
+    fn programs_of_xgks_name_their_metafiles() {
+        let of = |name| Dialect::Xgks.metafile_of(name);
+        assert_eq!(of("d.x/plot.GKSM"), Some(own::GKSM));
+        assert_eq!(of("metafile.plt"), Some(own::GKSM));
+        assert_eq!(of("a.cgm"), Some(own::CGM));
+        assert_eq!((of("a.gif"), of("a.ps"), of("plot")), (None, None, None));
+        assert_eq!(Dialect::Iso.metafile_of("a.gksm"), None);
+    }
+
+    #[test]
     fn dialects_are_found_by_their_names() {
         for dialect in [Dialect::Iso, Dialect::Ncar, Dialect::Xgks, Dialect::Gr] {
             assert_eq!(Dialect::from_name(dialect.name()), Some(dialect));
@@ -174,7 +201,8 @@ mod tests {
     #[test]
     fn ncar_numbers_mean_what_its_programs_expect() {
         let meaning = |number| Dialect::Ncar.find(number).map(|f| f.meaning);
-        assert_eq!(meaning(1), Some(Meaning::Chosen));
+        assert_eq!(meaning(1), Some(Meaning::Own(own::NCGM, "")));
+        assert_eq!(meaning(8), Some(Meaning::Chosen));
         assert_eq!(meaning(22), Some(Meaning::Own(own::EPS, "")));
         assert_eq!(meaning(26), Some(Meaning::Own(own::PS, "landscape=1")));
         assert_eq!(meaning(100), None);

@@ -1,6 +1,7 @@
 //! What the environment of a process says about workstations.
 
 use crate::dialect::Dialect;
+use crate::options::split_connection;
 
 /// The environment of a process as far as it concerns workstations, as it was written: it is read and
 /// checked when a workstation is opened.
@@ -17,6 +18,8 @@ pub struct Environment {
     pub options: Option<String>,
     /// `GKS_SCRIPT`: the file with the script of scripted workstations.
     pub script: Option<String>,
+    /// `GKS_REDUCE`: how far points that vector formats leave out of lines may lie off, in nominal linewidths.
+    pub reduce: Option<String>,
     /// `GKS_DIALECT`: whose workstation type numbers programs use.
     pub dialect: Option<String>,
 }
@@ -39,8 +42,17 @@ impl Environment {
             conid: variable("GKS_CONID"),
             options: variable("GKS_OPTIONS"),
             script: variable("GKS_SCRIPT"),
+            reduce: variable("GKS_REDUCE"),
             dialect: variable("GKS_DIALECT"),
         }
+    }
+
+    /// The type of the metafile that a program writes by a connection, where it could also have been a picture; none for
+    /// a picture, and where the user has chosen what is written.
+    pub fn metafile_of(&self, connection: &str) -> Option<i32> {
+        let (name, _) = split_connection(connection);
+        let dialect = self.dialect().ok().filter(|_| self.wstype.is_none());
+        dialect.and_then(|dialect| dialect.metafile_of(name))
     }
 
     /// The dialect named, or a message that says what can be named.
@@ -63,6 +75,7 @@ mod tests {
             "GKS_CONID" => Some(String::new()),
             "GKS_OPTIONS" => Some("dpi=300".to_owned()),
             "GKS_SCRIPT" => Some("a.script".to_owned()),
+            "GKS_REDUCE" => Some("0.25".to_owned()),
             "GKS_DIALECT" => Some("NCAR".to_owned()),
             _ => None,
         };
@@ -73,6 +86,7 @@ mod tests {
             conid: None,
             options: Some("dpi=300".to_owned()),
             script: Some("a.script".to_owned()),
+            reduce: Some("0.25".to_owned()),
             dialect: Some("NCAR".to_owned()),
         };
         assert_eq!(environment, expected);

@@ -21,6 +21,7 @@ mod paper;
 pub mod pdf;
 pub mod postscript;
 pub mod raster;
+mod route;
 pub mod scripted;
 pub mod sink;
 pub mod svg;

@@ -32,11 +32,16 @@ impl Decimal {
         POWERS[self.places as usize]
     }
 
+    /// How many steps make 1, as a count.
+    #[inline]
+    pub const fn count(self) -> i64 {
+        self.scale() as i64
+    }
+
     /// The nearest number of steps, halves away from zero; 0 for what is not a number.
     #[inline]
     pub fn steps(self, value: f64) -> i64 {
-        let scaled = value.clamp(-LARGEST, LARGEST) * self.scale();
-        (scaled + 0.5_f64.copysign(scaled)) as i64
+        nearest(value, self.scale())
     }
 
     /// Writes a number.
@@ -46,7 +51,17 @@ impl Decimal {
     }
 
     /// Writes a number given in steps.
+    #[inline]
     pub fn write_steps(self, out: &mut Vec<u8>, steps: i64) {
+        match Word::EMPTY.number(self, steps) {
+            Some(word) => word.write(out),
+            None => self.write_long(out, steps),
+        }
+    }
+
+    /// Writes a number digit by digit, however long it is.
+    #[cold]
+    fn write_long(self, out: &mut Vec<u8>, steps: i64) {
         let mut text = [0; 24];
         let mut at = text.len();
         let mut rest = steps.unsigned_abs();
@@ -80,6 +95,190 @@ impl Decimal {
         }
         out.extend_from_slice(&text[at..]);
     }
+}
+
+/// The whole number nearest to `value` times `scale`, halves away from zero; 0 for what is not a number.
+#[inline]
+pub(crate) fn nearest(value: f64, scale: f64) -> i64 {
+    let scaled = value.clamp(-LARGEST, LARGEST) * scale;
+    (scaled + 0.5_f64.copysign(scaled)) as i64
+}
+
+/// Up to 16 characters in a register: a number of at most 8 digits with what stands before and after it.
+///
+/// Copying a fixed number of bytes and cutting off what is too much is several times as fast as copying as
+/// many as there are.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Word {
+    /// The characters, the first one in the lowest byte; zeros after the last one.
+    bytes: u128,
+    /// How many bits the characters take.
+    bits: u32,
+    /// Whether the last number has a fraction.
+    fraction: bool,
+}
+
+/// The number of digits that a [`Word`] has room for.
+const DIGITS: u32 = 8;
+
+/// Eight times the character 0.
+const ZEROS: u64 = 0x3030_3030_3030_3030;
+
+impl Word {
+    /// No character.
+    pub const EMPTY: Word = Word { bytes: 0, bits: 0, fraction: false };
+
+    /// With one more character.
+    #[inline]
+    #[must_use]
+    pub const fn then(self, character: u8) -> Word {
+        Word { bytes: self.bytes | (character as u128) << self.bits, bits: self.bits + 8, ..self }
+    }
+
+    /// With one more character on a condition.
+    #[inline]
+    #[must_use]
+    pub const fn then_if(self, condition: bool, character: u8) -> Word {
+        let character = character as u128 * condition as u128;
+        Word { bytes: self.bytes | character << self.bits, bits: self.bits + 8 * condition as u32, ..self }
+    }
+
+    /// With a number given in steps; none if it has more than 8 digits.
+    #[inline(always)]
+    #[must_use]
+    pub fn number(self, decimal: Decimal, steps: i64) -> Option<Word> {
+        let count = steps.unsigned_abs();
+        match decimal.places {
+            0 if count < 10_000 => Some(self.signed(
+                steps,
+                INTEGERS[count as usize].into(),
+                length(INTEGERS[count as usize]),
+                false,
+            )),
+            2 if count < 1_000_000 => {
+                let fraction = FRACTIONS[(count % 100) as usize];
+                let integer = INTEGERS[(count / 100) as usize];
+                let has_fraction = fraction != 0;
+                let kept = u32::from(!decimal.bare | !has_fraction | (count >= 100));
+                let (integer, bits) = (integer * kept, length(integer) * kept);
+                let characters = u64::from(integer) | u64::from(fraction) << bits;
+                Some(self.signed(steps, characters, bits + length(fraction), has_fraction))
+            }
+            _ => self.long_number(decimal, steps),
+        }
+    }
+
+    /// With at most 7 characters of a number and its sign. Without branches, which nobody can predict here.
+    #[inline]
+    const fn signed(self, steps: i64, characters: u64, bits: u32, fraction: bool) -> Word {
+        Word { fraction, ..self.then_if(steps < 0, b'-').join(characters, bits) }
+    }
+
+    /// [`Word::number`] for any number of places and digits.
+    #[inline(never)]
+    fn long_number(self, decimal: Decimal, steps: i64) -> Option<Word> {
+        let count = u32::try_from(steps.unsigned_abs()).ok().filter(|count| *count < 100_000_000)?;
+        if decimal.places >= DIGITS {
+            return None;
+        }
+        let mut word = if steps < 0 { self.then(b'-') } else { self };
+        let digits = digits(count);
+        if decimal.places == 0 {
+            let leading = if count == 0 { 8 * (DIGITS - 1) } else { digits.trailing_zeros() & !7 };
+            word.fraction = false;
+            return Some(word.join((digits | ZEROS) >> leading, 8 * DIGITS - leading));
+        }
+        // The integer part is in the lower bytes, the fraction in the upper ones.
+        let point = 8 * (DIGITS - decimal.places);
+        let integer = digits & ((1 << point) - 1);
+        let fraction = digits >> point;
+        let least = if decimal.bare && fraction != 0 { point } else { point - 8 };
+        let leading = (integer.trailing_zeros() & !7).min(least);
+        let integer = ((integer | ZEROS) & ((1 << point) - 1)) >> leading;
+        word = word.join(integer, point - leading);
+        word.fraction = fraction != 0;
+        if !word.fraction {
+            return Some(word);
+        }
+        let bits = (64 - fraction.leading_zeros()).next_multiple_of(8);
+        let fraction = (fraction | ZEROS) << (64 - bits) >> (64 - bits);
+        Some(word.then(b'.').join(fraction, bits))
+    }
+
+    /// Whether all characters have room.
+    #[inline]
+    pub const fn fits(self) -> bool {
+        self.bits <= 128
+    }
+
+    /// Whether the last number has a fraction.
+    #[inline]
+    pub const fn has_fraction(self) -> bool {
+        self.fraction
+    }
+
+    #[inline]
+    const fn join(self, characters: u64, bits: u32) -> Word {
+        Word { bytes: self.bytes | (characters as u128) << self.bits, bits: self.bits + bits, ..self }
+    }
+
+    /// Appends the characters to a text.
+    #[inline]
+    pub fn write(self, out: &mut Vec<u8>) {
+        debug_assert!(self.fits(), "{self:?} is too long");
+        let end = out.len() + (self.bits / 8) as usize;
+        out.extend_from_slice(&self.bytes.to_le_bytes());
+        out.truncate(end);
+    }
+}
+
+/// The characters of the whole numbers below 10,000, the first one in the lowest byte.
+static INTEGERS: [u32; 10_000] = {
+    let mut all = [0; 10_000];
+    let mut number = 0;
+    while number < all.len() {
+        let mut rest = number as u32;
+        let mut characters = b'0' as u32 + rest % 10;
+        while rest >= 10 {
+            rest /= 10;
+            characters = characters << 8 | (b'0' as u32 + rest % 10);
+        }
+        all[number] = characters;
+        number += 1;
+    }
+    all
+};
+
+/// The characters of hundredths, from the point to the last digit that is not 0.
+static FRACTIONS: [u32; 100] = {
+    let mut all = [0; 100];
+    let mut number = 1;
+    while number < all.len() {
+        let (tenths, hundredths) = (b'0' as u32 + number as u32 / 10, b'0' as u32 + number as u32 % 10);
+        let last = if number % 10 == 0 { 0 } else { hundredths << 16 };
+        all[number] = b'.' as u32 | tenths << 8 | last;
+        number += 1;
+    }
+    all
+};
+
+/// How many bits characters take.
+#[inline]
+const fn length(characters: u32) -> u32 {
+    (39 - characters.leading_zeros()) & !7
+}
+
+/// The digits of a number below 10^8, as numbers from 0 to 9, the first one in the lowest byte.
+///
+/// D. Khuong, "How to print integers really fast", 2017: numbers of 4, then 2 digits lie side by side in one
+/// register and are divided at once, by multiplication.
+#[inline]
+const fn digits(count: u32) -> u64 {
+    let fours = (count / 10_000) as u64 | ((count % 10_000) as u64) << 32;
+    let hundreds = ((fours * 10_486) >> 20) & 0x0000_007f_0000_007f;
+    let twos = hundreds | (fours - 100 * hundreds) << 16;
+    let tens = ((twos * 103) >> 10) & 0x000f_000f_000f_000f;
+    tens | (twos - 10 * tens) << 8
 }
 
 #[cfg(test)]
@@ -145,6 +344,27 @@ mod tests {
             assert_eq!(text(two.bare(), value), short);
         }
         assert_eq!(text(Decimal::new(0), 2.5), "3");
+    }
+
+    #[test]
+    fn words_are_what_is_written_digit_by_digit() {
+        let mut counts: Vec<i64> = (0..20_000).chain(99_999_980..100_000_020).collect();
+        counts.extend((0..100_000_000).step_by(9973));
+        counts.extend([i64::MIN, i64::MAX, 4_294_967_296, 12_345_678_901]);
+        for places in [0, 1, 2, 3, 5, 7, 8, 9] {
+            for format in [Decimal::new(places), Decimal::new(places).bare()] {
+                for steps in counts.iter().flat_map(|&count| [count, count.wrapping_neg()]) {
+                    let (mut fast, mut slow) = (Vec::new(), Vec::new());
+                    format.write_steps(&mut fast, steps);
+                    format.write_long(&mut slow, steps);
+                    assert_eq!(fast, slow, "{steps} {format:?}");
+                }
+            }
+        }
+        let word = Word::EMPTY.then(b'l').number(Decimal::new(2), -1_234_567).unwrap().then(b' ');
+        let mut out = b"<".to_vec();
+        word.write(&mut out);
+        assert_eq!(out, b"<l-12345.67 ");
     }
 
     #[test]

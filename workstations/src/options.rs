@@ -6,6 +6,7 @@
 use gks_metafile::cgm::encoder::Coordinates;
 use gks_metafile::gksm::Coding;
 use gks_pipeline::colour::Colour;
+use gks_pipeline::device::Surface;
 use gks_pipeline::record::item::Convention;
 
 /// The choices, each absent where the user leaves it to the driver.
@@ -30,6 +31,11 @@ pub struct Options {
     pub script: Option<String>,
     /// Quality of lossy formats from 1 to 100.
     pub quality: Option<u8>,
+    /// Whether a small file is worth more time.
+    pub small: bool,
+    /// How far points of lines that are left out may lie off, in nominal linewidths; a vector format keeps
+    /// all points where this is absent.
+    pub reduce: Option<f64>,
     /// How numbers are coded in a metafile of GKS that is written.
     pub coding: Option<Coding>,
     /// The version of a CGM that is written.
@@ -67,7 +73,7 @@ pub enum OptionError {
     },
 }
 
-const NAMES: &str = "size, dpi, landscape, background, antialias, outlines, quality, script, coding, items, keep, port, open, \
+const NAMES: &str = "size, dpi, landscape, background, antialias, outlines, quality, small, reduce, script, coding, items, keep, port, open, \
      version, vdc";
 
 /// The sizes of display surfaces that a kind of device accepts.
@@ -130,6 +136,8 @@ impl Options {
                 self.quality =
                     Some(quality.ok_or_else(|| refused("quality", value, "a whole number from 1 to 100"))?);
             }
+            "small" => self.small = switch("small", value)?,
+            "reduce" => self.reduce = Some(number("reduce", value, 0.0, 100.0)?),
             "version" => {
                 self.version = Some(match value {
                     "1" => 1,
@@ -168,6 +176,11 @@ impl Options {
             _ => return Err(OptionError::Unknown(name.to_owned())),
         }
         Ok(())
+    }
+
+    /// How far points of lines that are left out may lie off on a surface, in its units.
+    pub fn tolerance(&self, surface: &Surface) -> f64 {
+        self.reduce.unwrap_or(0.0) * surface.nominal_linewidth()
     }
 
     /// Width and height of the display surface: the size chosen or else the default, turned as chosen.
@@ -254,7 +267,7 @@ mod tests {
 
     #[test]
     fn all_options_are_read() {
-        let list = "size=1600x1200&dpi=300&landscape=1&background=#ff8000&antialias=0&outlines=1&quality=90&\
+        let list = "size=1600x1200&dpi=300&landscape=1&background=#ff8000&antialias=0&outlines=1&quality=90&small=1&reduce=0.25&\
                     script=in/a.script&coding=formatted&items=xgks&keep=1&port=8080&open=1&\
                     version=3&vdc=real";
         let expected = Options {
@@ -267,6 +280,8 @@ mod tests {
             outlines: true,
             script: Some("in/a.script".to_owned()),
             quality: Some(90),
+            small: true,
+            reduce: Some(0.25),
             coding: Some(Coding::Formatted),
             version: Some(3),
             coordinates: Some(Coordinates::Real),
@@ -307,7 +322,7 @@ mod tests {
         assert_eq!(
             message("colour=red"),
             "there is no option \"colour\"; the options are size, dpi, landscape, background, antialias, \
-             outlines, quality, script, coding, items, keep, \
+             outlines, quality, small, reduce, script, coding, items, keep, \
              port, open, version, vdc"
         );
         assert_eq!(message("dpi"), "option \"dpi\" has no value; write dpi=value");

@@ -2,20 +2,12 @@
 
 use crate::argument::{In, Out, array, call, integer};
 use crate::error::report;
+use crate::hlu::{self, Gdata};
 use crate::store::{self, Gstore};
 use crate::types::{Gfloat, Gint};
 use gks::{DataRecord, Function};
 use gks_instance::Dialect;
 use gks_pipeline::generated::numbers::ESCAPES;
-use std::ffi::c_void;
-
-/// An input data record of an escape function of NCAR Graphics.
-#[repr(C)]
-#[derive(Copy, Clone)]
-struct Gdata {
-    size: usize,
-    data: *const c_void,
-}
 
 /// The input data record of an escape function: in C, a structure of its integers and then its reals.
 fn data_record(func_id: Gint, in_data: In<Gint>) -> gks::Result<DataRecord> {
@@ -37,13 +29,16 @@ fn ncar(func_id: Gint, in_data: In<Gint>) -> bool {
     if func_id >= 0 || gks_instance::with(|instance| instance.dialect) != Dialect::Ncar {
         return false;
     }
+    if func_id == hlu::NATIVE {
+        hlu::native(in_data);
+        return true;
+    }
     let known = gks_instance::call_instance(F, report, |instance| {
         gks_instance::check_state(&instance.gks, F)?;
-        // The records of other identifiers have other types, some of them private to HLU.
+        // The records of other identifiers have other types.
         let is_name = func_id == gks_instance::NCAR_METAFILE_NAME;
-        let record = if is_name { in_data.cast::<Gdata>().get() } else { None };
-        let text = record.map_or(&[][..], |r| array(r.data.cast::<u8>(), integer(r.size)));
-        Ok(instance.ncar_escape(func_id, text))
+        let record = if is_name { in_data.cast::<Gdata<In<u8>>>().get() } else { None };
+        Ok(instance.ncar_escape(func_id, record.map_or(&[], Gdata::bytes)))
     });
     known.unwrap_or(true)
 }

@@ -19,6 +19,7 @@ mod control;
 mod error;
 mod escape;
 mod frame_buffer;
+mod hlu;
 mod input;
 mod inquiry;
 mod metafile;

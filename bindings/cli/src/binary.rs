@@ -37,12 +37,31 @@ pub struct Binary {
     pub wanted: BTreeSet<String>,
     /// The symbols that it offers to others.
     pub offered: BTreeSet<String>,
+    /// Those of them that are variables. A program has a copy of its own of a variable of a library.
+    pub variables: BTreeSet<String>,
+}
+
+impl Kind {
+    /// What a file of the kind is.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Kind::Dynamic => "a program",
+            Kind::Static => "a statically linked program",
+            Kind::Library => "a shared library",
+            Kind::Object => "an object",
+            Kind::Archive => "a static library",
+        }
+    }
 }
 
 impl Binary {
     /// Reads a file. What is no ELF file, nor an archive of such, is an error.
     pub fn read(path: &Path) -> Result<Binary, Failure> {
         let data = std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+        if data.starts_with(b"#!") {
+            let advice = "look at the program that it runs, or name the GKS that it is for with --dialect";
+            return Err(format!("{}: a script; {advice}", path.display()).into());
+        }
         Binary::parse(&data).map_err(|error| format!("{}: {error}", path.display()).into())
     }
 
@@ -58,7 +77,8 @@ impl Binary {
 
     fn new(kind: Kind) -> Binary {
         let (needed, rpath, runpath) = (Vec::new(), Vec::new(), Vec::new());
-        Binary { kind, needed, rpath, runpath, wanted: BTreeSet::new(), offered: BTreeSet::new() }
+        let [wanted, offered, variables] = Default::default();
+        Binary { kind, needed, rpath, runpath, wanted, offered, variables }
     }
 }
 
@@ -100,6 +120,9 @@ fn parse<Elf: FileHeader<Endian = Endianness>>(data: &[u8]) -> Result<Binary, Fa
         if symbol.is_undefined(endian) {
             binary.wanted.insert(name.into_owned());
         } else {
+            if symbol.st_type() == elf::STT_OBJECT {
+                binary.variables.insert(name.clone().into_owned());
+            }
             binary.offered.insert(name.into_owned());
         }
     }

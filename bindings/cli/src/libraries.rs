@@ -64,6 +64,7 @@ impl Library {
         let files: Vec<PathBuf> = files.collect();
         let present = || files.iter().find(|file| file.is_file());
         if let Some(root) = checkout(folder).filter(|_| present().is_none()) {
+            eprintln!("gks: building {}", self.soname);
             build(root, folder, self.package, false)?;
         }
         let missing = || format!("{} is not beside this command nor in lib next to its folder", self.soname);

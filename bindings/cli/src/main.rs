@@ -1,7 +1,8 @@
 //! The command `gks`.
 
 use clap::{Parser, Subcommand, ValueEnum};
-use gks_cli::commands::{Failure, compile, coverage, demo, doctor, info, play, run, workstations};
+use gks_cli::bench::measurement::Effort;
+use gks_cli::commands::{Failure, bench, compile, coverage, demo, doctor, info, play, run, workstations};
 use gks_cli::viewer;
 use gks_metafile::ReadOptions;
 use gks_pipeline::record::item::Convention;
@@ -98,6 +99,24 @@ enum Command {
         /// The file, or the name of a program.
         program: PathBuf,
     },
+    /// Measure what drawing costs.
+    Bench {
+        /// The workloads; all if none is named.
+        workloads: Vec<String>,
+        /// As JSON.
+        #[arg(long)]
+        json: bool,
+        /// Each once, at its smallest size, to see that it works.
+        #[arg(long)]
+        once: bool,
+        /// Measure one workload at one size in this process.
+        #[arg(long, value_enum, hide = true, requires_all = ["size", "folder"])]
+        measure: Option<Effort>,
+        #[arg(long, hide = true)]
+        size: Option<usize>,
+        #[arg(long, hide = true)]
+        folder: Option<PathBuf>,
+    },
     /// Show the window of a program; programs start this themselves.
     #[command(hide = true)]
     Viewer,
@@ -141,6 +160,12 @@ fn main() -> ExitCode {
             }
         }
         Command::Doctor { program } => doctor::run(&program),
+        Command::Bench {
+            workloads, measure: Some(effort), size: Some(size), folder: Some(folder), ..
+        } => workloads
+            .iter()
+            .try_fold(ExitCode::SUCCESS, |_, name| bench::measure(name, size, effort, &folder)),
+        Command::Bench { workloads, json, once, .. } => bench::run(&bench::Wish { workloads, json, once }),
         Command::Viewer => viewer::run(),
     };
     result.unwrap_or_else(|failure| {

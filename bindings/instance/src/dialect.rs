@@ -1,7 +1,8 @@
 //! Dialects: the initial values that other GKS implementations choose differently.
 
+use crate::gr_colours::GR_COLOURS;
 use gks::Defaults;
-use gks_pipeline::look::InteriorStyle;
+use gks_pipeline::look::{Cap, InteriorStyle, Join};
 use gks_workstations::catalogue::Drivers;
 use gks_workstations::dialect::Dialect;
 use gks_workstations::environment::Environment;
@@ -36,9 +37,21 @@ pub(crate) fn defaults(dialect: Dialect) -> Defaults {
     if dialect == Dialect::Ncar {
         // NCAR's utilities save and restore the interior style and rely on this initial value.
         defaults.look.fill.interior = InteriorStyle::Solid;
-        defaults.substitutes = NCAR_SUBSTITUTES;
+        // Its drivers draw dots and short pieces of lines with round ends.
+        defaults.look.cap = Cap::Round;
+        defaults.look.join = Join::Round;
+        defaults.tables.substitutes = NCAR_SUBSTITUTES;
         // NCAR's nominal marker size is a hundredth of the unit square, ours 6/1000.
-        defaults.marker_scale = 10.0 / 6.0;
+        defaults.tables.marker_scale = 10.0 / 6.0;
+        // It has no patterns: areas that should have one are hollow.
+        defaults.tables.patterns.clear();
+        // Movies of the utilities start with segment 0.
+        defaults.first_segment = 0;
+    }
+    // Programs of XGKS call UPDATE WORKSTATION nowhere and see their segments changed all the same.
+    defaults.updates_before_input = dialect == Dialect::Xgks;
+    if dialect == Dialect::Gr {
+        defaults.colours = &GR_COLOURS;
     }
     defaults
 }
@@ -46,6 +59,13 @@ pub(crate) fn defaults(dialect: Dialect) -> Defaults {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn gr_starts_with_many_colours() {
+        let colours = defaults(Dialect::Gr).colours;
+        assert_eq!((colours.len(), colours[2], colours[980]), (1000, 0xff_0000, 0xff_b300));
+        assert!(defaults(Dialect::Iso).colours.is_empty());
+    }
 
     #[test]
     fn ncar_starts_with_solid_areas() {

@@ -9,6 +9,7 @@
 mod dialect;
 mod error_file;
 mod exit;
+mod gr_colours;
 mod ncar;
 mod text;
 mod unit;
@@ -23,6 +24,7 @@ pub use unit::file_of_unit;
 pub use xgks::KeptPicture;
 
 use gks::{Error, Function, Gks};
+use gks_workstations::environment::Environment;
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -37,6 +39,8 @@ pub struct Instance {
     pub dialect: Dialect,
     /// The name of the next metafile, where a dialect has programs give it before OPEN WORKSTATION.
     pub metafile_name: Option<String>,
+    /// What the environment of the process says about workstations.
+    environment: Environment,
     /// The pictures that workstations keep to be written later, by workstation identifier.
     pictures: BTreeMap<i32, KeptPicture>,
     /// Error state ON: an error handler is running.
@@ -70,7 +74,8 @@ fn lock() -> MutexGuard<'static, Option<Box<Instance>>> {
 #[cold]
 fn create() -> Box<Instance> {
     let drivers = dialect::drivers();
-    let dialect = drivers.environment().dialect().unwrap_or_else(|message| {
+    let environment = drivers.environment().clone();
+    let dialect = environment.dialect().unwrap_or_else(|message| {
         eprintln!("{message}; iso is used");
         Dialect::Iso
     });
@@ -83,6 +88,7 @@ fn create() -> Box<Instance> {
         error_file: ErrorFile::Stderr,
         dialect,
         metafile_name: None,
+        environment,
         pictures: BTreeMap::new(),
         handling: false,
         current: None,

@@ -5,13 +5,7 @@ use gks::Function;
 use gks_pipeline::look::InteriorStyle;
 use std::ops::RangeInclusive;
 
-/// The workstation type of a metafile.
-const METAFILE: i32 = 1;
-
-/// The name of a metafile that a program gives none.
-const USUAL_NAME: &str = "gmeta";
-
-/// The ESCAPE that gives the name of the next metafile.
+/// The ESCAPE that gives the name of the file of the next workstation.
 pub const NCAR_METAFILE_NAME: i32 = -1391;
 
 /// The identifiers of ESCAPE that NCAR Graphics has given out, and those that HLU uses on top of them.
@@ -30,6 +24,36 @@ pub fn interior_style(number: i32) -> i32 {
     } else {
         number
     }
+}
+
+/// How the names of the files of a workstation type begin where the program gives none, and their extension.
+fn file_of(kind: i32) -> Option<(&'static str, &'static str)> {
+    match kind {
+        1 => Some(("gmeta", "")),
+        11 | 12 => Some(("gmeta", "pdf")),
+        20..=31 => Some(("gmeta", ["ps", "eps", "epsi"][(kind - 20) as usize % 3])),
+        40 => Some(("cairo", "ps")),
+        41 => Some(("cairo", "png")),
+        42 => Some(("cairo", "pdf")),
+        43 => Some(("cairo", "tif")),
+        45 => Some(("cairo", "eps")),
+        47 => Some(("cairo", "svg")),
+        _ => None,
+    }
+}
+
+/// The name of the file that a workstation of a type writes: the one that the program has given, to which only cairo's
+/// types add their extension, or that of the type and the identifier of the workstation.
+fn file_name(kind: i32, workstation: i32, given: &mut Option<String>) -> Option<String> {
+    let (usual, extension) = file_of(kind)?;
+    Some(match given.take() {
+        Some(name) if usual == "cairo" && !name.ends_with(&format!(".{extension}")) => {
+            format!("{name}.{extension}")
+        }
+        Some(name) => name,
+        None if extension.is_empty() => usual.to_owned(),
+        None => format!("{usual}{workstation}.{extension}"),
+    })
 }
 
 /// The name of the metafile in the record of an escape, which blanks or a zero byte end.
@@ -66,16 +90,16 @@ impl Instance {
         }
     }
 
-    /// OPEN WORKSTATION, where a metafile takes the name that a program gave before in the way of its dialect.
+    /// OPEN WORKSTATION, where a file has the name that a program gave before in the way of its dialect.
     pub fn open_workstation(&mut self, workstation: i32, connection: &str, kind: i32) -> gks::Result<()> {
         if self.dialect == Dialect::Xgks {
             return self.open_xgks_workstation(workstation, connection, kind);
         }
-        if self.dialect != Dialect::Ncar || kind != METAFILE {
-            return self.gks.open_workstation(workstation, connection, kind);
-        }
-        let name = self.metafile_name.take();
-        self.gks.open_workstation(workstation, name.as_deref().unwrap_or(USUAL_NAME), kind)
+        let name = match self.dialect {
+            Dialect::Ncar => file_name(kind, workstation, &mut self.metafile_name),
+            _ => None,
+        };
+        self.gks.open_workstation(workstation, name.as_deref().unwrap_or(connection), kind)
     }
 }
 
@@ -87,6 +111,18 @@ mod tests {
     fn messages_name_subroutines() {
         let text = message(6, Some(Function::ActivateWorkstation), "Wrong state.");
         assert_eq!(text, " GKS ERROR NUMBER    6 ISSUED FROM SUBROUTINE GACWK :\n --Wrong state.\n");
+    }
+
+    #[test]
+    fn files_have_the_names_that_programs_of_ncar_know() {
+        let name = |kind, given: Option<&str>| file_name(kind, 2, &mut given.map(str::to_owned)).unwrap();
+        assert_eq!(
+            [1, 12, 20, 25, 31, 41].map(|kind| name(kind, None)),
+            ["gmeta", "gmeta2.pdf", "gmeta2.ps", "gmeta2.epsi", "gmeta2.epsi", "cairo2.png"]
+        );
+        assert_eq!(name(20, Some("plot")), "plot");
+        assert_eq!([Some("plot"), Some("plot.png")].map(|given| name(41, given)), ["plot.png"; 2]);
+        assert_eq!([3, 8, 10, 100].map(|kind| file_name(kind, 1, &mut None)), [const { None }; 4]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Workstations as programs of XGKS open them.
 //!
 //! A workstation of XGKS is a window, or a metafile whose format the name of its file says: a picture (GIF,
-//! PostScript) as well as GKSM and CGM. Pictures are kept and written when the program closes the
+//! PostScript) as well as GKSM and CGM, which are written as the program draws. Pictures are kept and written when the program closes the
 //! workstation, clears it, or saves a frame in between, in the format of the file or in the one that the user
 //! chose by `GKS_WSTYPE`.
 
@@ -65,7 +65,7 @@ impl Instance {
     /// Errors: those of [`gks::Gks::open_workstation`].
     pub(crate) fn open_xgks_workstation(&mut self, id: i32, connection: &str, kind: i32) -> gks::Result<()> {
         self.gks.open_workstation(id, connection, kind)?;
-        if kind == METAFILE_OUTPUT {
+        if kind == METAFILE_OUTPUT && self.environment.metafile_of(connection).is_none() {
             // Fortran programs open the file first; nothing shall be left of it if it is not written.
             if fs::metadata(connection).is_ok_and(|file| file.is_file() && file.len() == 0) {
                 let _ = fs::remove_file(connection);

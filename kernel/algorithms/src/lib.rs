@@ -11,6 +11,7 @@
 
 pub mod circle;
 pub mod clip;
+pub mod coverage;
 pub mod curve;
 pub mod ellipse;
 pub mod fill;

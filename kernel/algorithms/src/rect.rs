@@ -9,7 +9,7 @@ use glam::{DVec2, IVec2};
 pub type Rect = (DVec2, DVec2);
 
 /// A rectangle of pixels: `min` is its first pixel, `max` lies one beyond the last in both directions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct IRect {
     /// The first column and row.
     pub min: IVec2,

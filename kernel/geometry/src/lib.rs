@@ -8,18 +8,22 @@
 //!
 //! Conventions: *y* points up in every space, angles are radians and positive anticlockwise.
 
+mod long_line;
 mod map;
 mod map3;
 mod paths;
 mod point;
 mod point3;
+mod points;
 mod rect;
 mod space;
 
+pub use long_line::{LongLine, Piece, Pieces};
 pub use map::Map;
 pub use map3::Map3;
 pub use paths::{PathBuf, Paths};
 pub use point::{Point, Vector};
 pub use point3::{Point3, Vector3};
+pub use points::Points;
 pub use rect::Rect;
 pub use space::{Dc, Du, Mc, Ndc, Npc, Space, Vrc, Wc};

@@ -75,7 +75,13 @@ impl<A: Space, B: Space> Map<A, B> {
     }
 
     /// The smallest rectangle around the image of a rectangle; exact where the map has no rotation.
+    #[inline]
     pub fn rect(&self, r: &Rect<A>) -> Rect<B> {
+        let m = &self.0.matrix2;
+        if m.x_axis.y == 0.0 && m.y_axis.x == 0.0 {
+            let (a, b) = (self.point(r.min).0, self.point(r.max).0);
+            return Rect { min: Point::from_vec(a.min(b)), max: Point::from_vec(a.max(b)) };
+        }
         let [a, b, c, d] = r.corners().map(|p| self.point(p).0);
         Rect { min: Point::from_vec(a.min(b).min(c).min(d)), max: Point::from_vec(a.max(b).max(c).max(d)) }
     }
@@ -123,6 +129,15 @@ mod tests {
         let p = Point::new(1.25, 33.0);
         assert!((both.point(p).0 - w.point(n.point(p)).0).length() < 1e-12);
         assert!((both.inverse().unwrap().point(both.point(p)).0 - p.0).length() < 1e-10);
+    }
+
+    #[test]
+    fn the_image_of_a_rectangle_is_a_rectangle_around_all_corners() {
+        let unit = Rect::<Ndc>::UNIT;
+        let flipped = Map::<Ndc, Dc>::from_rows([[2.0, 0.0, 1.0], [0.0, -3.0, 1.0]]);
+        assert_eq!(flipped.rect(&unit), Rect::new(1.0, 3.0, -2.0, 1.0));
+        let turned = Map::<Ndc, Dc>::from_rows([[1.0, -1.0, 0.0], [1.0, 1.0, 0.0]]);
+        assert_eq!(turned.rect(&unit), Rect::new(-1.0, 1.0, 0.0, 2.0));
     }
 
     #[test]

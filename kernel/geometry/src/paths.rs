@@ -1,7 +1,8 @@
 //! Sets of polygonal paths: what polylines, rings of areas and strokes of characters have in common.
 
-use crate::{Map, Point, Rect, Space};
+use crate::{Map, Pieces, Point, Rect, Space};
 use glam::DVec2;
+use std::convert::Infallible;
 use std::marker::PhantomData;
 
 /// A borrowed set of paths in space `S`.
@@ -113,6 +114,18 @@ impl<S: Space> PathBuf<S> {
         let offset = self.points.len() as u32;
         self.points.extend(paths.points.iter().map(|&p| map.0.transform_point2(p)));
         self.ends.extend(paths.ends.iter().map(|&e| e + offset));
+    }
+
+    /// Adds paths that come piece by piece.
+    pub fn add_pieces(&mut self, paths: &impl Pieces) {
+        let done = paths.pieces::<Infallible>(|piece| {
+            self.points.extend_from_slice(piece.points);
+            if piece.ends {
+                self.end();
+            }
+            Ok(())
+        });
+        let Ok(()) = done;
     }
 
     /// The set as a borrowed one.

@@ -150,9 +150,7 @@ impl Gks {
         const F: Function = Function::SetCharacterHeight;
         self.check_state(F)?;
         let height = real(F, 78, height, |v| v > 0.0)?;
-        self.geometry.character_height = height;
-        self.geometry.character_width = height;
-        self.geometry_stale = true;
+        self.change_geometry(|g| (g.character_height, g.character_width) = (height, height));
         Ok(())
     }
 
@@ -165,9 +163,8 @@ impl Gks {
         if !up.0.is_finite() || up.0 == glam::DVec2::ZERO {
             return Err(Error::new(79, F).because(format!("vector ({}, {})", up.x(), up.y())));
         }
-        self.geometry.character_up = up;
-        self.geometry.character_base = Vector::new(up.y(), -up.x());
-        self.geometry_stale = true;
+        let base = Vector::new(up.y(), -up.x());
+        self.change_geometry(|g| (g.character_up, g.character_base) = (up, base));
         Ok(())
     }
 
@@ -185,9 +182,8 @@ impl Gks {
         self.check_state(F)?;
         let width = real(F, 87, width, |v| v > 0.0)?;
         let height = real(F, 87, height, |v| v > 0.0)?;
-        self.geometry.pattern_width = Vector::new(width, 0.0);
-        self.geometry.pattern_height = Vector::new(0.0, height);
-        self.geometry_stale = true;
+        let (width, height) = (Vector::new(width, 0.0), Vector::new(0.0, height));
+        self.change_geometry(|g| (g.pattern_width, g.pattern_height) = (width, height));
         Ok(())
     }
 
@@ -200,8 +196,7 @@ impl Gks {
         if !point.is_finite() {
             return Err(Error::new(NOT_A_NUMBER, F));
         }
-        self.geometry.pattern_reference = point;
-        self.geometry_stale = true;
+        self.change_geometry(|g| g.pattern_reference = point);
         Ok(())
     }
 
@@ -217,6 +212,13 @@ impl Gks {
         self.check_state(Function::Escape)?;
         self.look.join = join;
         Ok(())
+    }
+
+    /// Changes geometric attributes. Programs set them again and again to what they are, which costs nothing later.
+    fn change_geometry(&mut self, change: impl FnOnce(&mut Geometry)) {
+        let before = self.geometry.clone();
+        change(&mut self.geometry);
+        self.geometry_stale |= self.geometry != before;
     }
 
     /// Takes the geometric attributes to NDC by the current normalization transformation.

@@ -3,11 +3,12 @@
 use crate::gks::{OpenWorkstation, device_error};
 use crate::input::Devices;
 use crate::metafile::Items;
-use crate::{Defaults, Error, Function, Gks, OperatingState, Result};
+use crate::{Error, Function, Gks, OperatingState, Result};
+use gks_pipeline::colour::Colour;
 use gks_pipeline::description::{Category, DeferralMode, OpenError, RegenerationMode};
 use gks_pipeline::generated::numbers;
+use gks_pipeline::input::InputClass;
 use gks_pipeline::record::Record;
-use gks_pipeline::tables::Tables;
 use gks_pipeline::workstation::Workstation;
 
 impl Gks {
@@ -58,16 +59,27 @@ impl Gks {
             return Err(Error::new(42, F));
         }
         let (device, description) = self.catalogue.open(kind, connection).map_err(|e| open_error(F, &e))?;
-        let Defaults { substitutes, marker_scale, .. } = self.defaults;
-        let tables = Tables { substitutes, marker_scale, ..Tables::predefined() };
+        let mut tables = self.defaults.tables.clone();
+        // Who reads a metafile begins with colours of his own.
+        let is_metafile = description.category == Category::MetafileOutput;
+        let most = description.colour_table_length() as usize;
+        let colours =
+            (0..).zip(self.defaults.colours.iter().take(most).map(|&colour| Colour::from_packed(colour)));
+        for (index, colour) in colours.clone().filter(|_| !is_metafile) {
+            tables.colours.set(index, colour);
+        }
         let input = Devices::new(&description);
         let workstation = Workstation::new(device, description, tables);
         let connection = connection.to_owned();
         let items = Items::default();
-        let open = OpenWorkstation { workstation, connection, kind, active: false, input, items };
+        let open =
+            OpenWorkstation { workstation, connection, kind, active: false, changed: false, input, items };
         self.workstations.insert(id, open);
         if self.state == OperatingState::Gkop {
             self.state = OperatingState::Wsop;
+        }
+        for (index, colour) in colours.filter(|_| is_metafile) {
+            self.set_colour_representation(id, index as i32, colour)?;
         }
         Ok(())
     }
@@ -205,6 +217,16 @@ impl Gks {
             failure = failure.and(done.map_err(|e| device_error(function, &e)));
         }
         failure
+    }
+
+    /// Makes changes of segments visible before REQUEST and SAMPLE, where the initial values say so.
+    pub(crate) fn update_before_input(&mut self, id: i32, class: InputClass) -> Result<()> {
+        let updates = self.defaults.updates_before_input && class != InputClass::Pick;
+        let Some(open) = self.workstations.get_mut(&id).filter(|open| updates && open.changed) else {
+            return Ok(());
+        };
+        open.changed = false;
+        self.update_workstation(id, true)
     }
 
     /// SET DEFERRAL STATE: how long output may be delayed, and whether changes may redraw the picture

@@ -98,6 +98,42 @@ impl DataRecord {
     }
 }
 
+/// A data record as it is handed to a function: its values, or the lines of a packed record, which may turn out to hold
+/// none when it is its turn to be checked.
+#[derive(Clone, Copy, Debug)]
+pub enum GivenRecord<'a> {
+    /// The values.
+    Values(&'a DataRecord),
+    /// What PACK DATA RECORD wrote. Without a line, or with nothing in the lines, it is an empty record.
+    Packed(&'a [Line]),
+}
+
+impl GivenRecord<'_> {
+    /// The values; `None` if the lines hold no record.
+    pub(crate) fn values(self) -> Option<DataRecord> {
+        let is_nothing = |byte: &u8| matches!(byte, b' ' | 0);
+        match self {
+            GivenRecord::Values(record) => Some(record.clone()),
+            GivenRecord::Packed(lines) if lines.as_flattened().iter().all(is_nothing) => {
+                Some(DataRecord::default())
+            }
+            GivenRecord::Packed(lines) => DataRecord::unpack(lines).ok(),
+        }
+    }
+}
+
+impl<'a> From<&'a DataRecord> for GivenRecord<'a> {
+    fn from(record: &'a DataRecord) -> Self {
+        GivenRecord::Values(record)
+    }
+}
+
+impl<'a> From<&'a [Line]> for GivenRecord<'a> {
+    fn from(lines: &'a [Line]) -> Self {
+        GivenRecord::Packed(lines)
+    }
+}
+
 /// The bytes of a packed record that have not been read yet.
 struct Words<'a> {
     rest: &'a [u8],

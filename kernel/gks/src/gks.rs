@@ -10,6 +10,7 @@ use gks_pipeline::description::Catalogue;
 use gks_pipeline::item::{Item, Shape};
 use gks_pipeline::look::Look;
 use gks_pipeline::segment::Segments;
+use gks_pipeline::tables::Tables;
 use gks_pipeline::workstation::Workstation;
 use std::collections::BTreeMap;
 
@@ -51,6 +52,8 @@ pub(crate) struct OpenWorkstation {
     pub(crate) connection: String,
     pub(crate) kind: i32,
     pub(crate) active: bool,
+    /// Whether something of its segments has changed since it was last updated for input.
+    pub(crate) changed: bool,
     /// The logical input devices.
     pub(crate) input: Devices,
     /// The items of a metafile that is read.
@@ -70,17 +73,28 @@ pub(crate) struct OpenSegment {
 pub struct Defaults {
     /// The attributes that OPEN GKS sets.
     pub look: Look,
-    /// Fonts that every workstation draws with another one in their place: pairs of a font number and its
-    /// substitute.
-    pub substitutes: &'static [(i32, i32)],
-    /// The nominal marker size of every workstation as a multiple of the usual one.
-    pub marker_scale: f64,
+    /// The tables that OPEN WORKSTATION sets.
+    pub tables: Tables,
+    /// The colours of every workstation that are predefined in the place of the usual ones, from index 0 on: red, green and
+    /// blue of 8 bits each, as in 0xff8000 for orange.
+    pub colours: &'static [u32],
+    /// Whether REQUEST and SAMPLE show changes of segments first, as UPDATE WORKSTATION does. Those of a pick device do not,
+    /// since they need what is seen, nor does what only tables have changed.
+    pub updates_before_input: bool,
+    /// The least number that is the name of a segment.
+    pub first_segment: i32,
 }
 
 impl Default for Defaults {
     /// The library's own choice: aspect source flags INDIVIDUAL, interior style HOLLOW.
     fn default() -> Self {
-        Defaults { look: Look::default(), substitutes: &[], marker_scale: 1.0 }
+        Defaults {
+            look: Look::default(),
+            tables: Tables::predefined(),
+            colours: &[],
+            updates_before_input: false,
+            first_segment: 1,
+        }
     }
 }
 
@@ -234,4 +248,10 @@ pub(crate) fn device_error(function: Function, error: &gks_pipeline::device::Dev
         gks_pipeline::device::DeviceError::Encode(_) => 304,
     };
     Error::new(number, function).because(error.to_string())
+}
+
+/// The error of the standard for an operator whose entries could not be received: 305.
+#[cold]
+pub(crate) fn receiving_error(function: Function, error: &gks_pipeline::device::DeviceError) -> Error {
+    Error::new(305, function).because(error.to_string())
 }

@@ -17,14 +17,13 @@ mod matrix;
 mod metafile;
 mod normalization;
 mod output;
-mod points;
 mod representation;
 mod segment;
 #[cfg(test)]
 mod test_device;
 mod workstation_transformation;
 
-pub use crate::data_record::{DataRecord, Line};
+pub use crate::data_record::{DataRecord, GivenRecord, Line};
 pub use crate::error::{Error, Result};
 pub use crate::generated::function::{Function, Level, OperatingState, StateMask};
 pub use crate::gks::{Defaults, Gks, MessageHandler};
@@ -40,5 +39,5 @@ pub use crate::inquiry::{
 };
 pub use crate::matrix::CoordinateSwitch;
 pub use crate::normalization::{NormalizationTransformation, RelativePriority};
-pub use crate::points::Points;
 pub use crate::segment::{Detectability, Highlighting, SegmentAttributes, Visibility};
+pub use gks_geometry::Points;

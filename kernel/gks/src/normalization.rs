@@ -71,8 +71,10 @@ impl Gks {
     pub fn set_window(&mut self, number: i32, window: impl Into<Rect<Wc>>) -> Result<()> {
         const F: Function = Function::SetWindow;
         let (index, window) = self.normalization_arguments(F, number, window.into())?;
-        self.normalization.transformations[index].window = window;
-        self.normalization_changed(index);
+        let old = std::mem::replace(&mut self.normalization.transformations[index].window, window);
+        if old != window {
+            self.normalization_changed(index);
+        }
         Ok(())
     }
 
@@ -85,8 +87,10 @@ impl Gks {
         if !Rect::UNIT.contains_rect(&viewport) {
             return Err(Error::new(52, F).because(format!("limits {:?}", viewport.limits())));
         }
-        self.normalization.transformations[index].viewport = viewport;
-        self.normalization_changed(index);
+        let old = std::mem::replace(&mut self.normalization.transformations[index].viewport, viewport);
+        if old != viewport {
+            self.normalization_changed(index);
+        }
         Ok(())
     }
 

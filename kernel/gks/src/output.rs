@@ -2,9 +2,15 @@
 
 #![allow(clippy::redundant_closure, reason = "enum variants are no functions of all lifetimes")]
 
+use crate::gks::device_error;
 use crate::{Error, Function, Gks, Points, Result};
-use gks_geometry::{Ndc, Paths, Point, Wc};
-use gks_pipeline::item::{Cells, Parallelogram, Shape};
+use gks_geometry::{LongLine, Ndc, Paths, Point, Wc};
+use gks_pipeline::device::Drawn;
+use gks_pipeline::item::{Cells, Item, Parallelogram, Shape};
+use gks_pipeline::workstation::Workstation;
+
+/// As many points are a long line, which devices may draw without holding it.
+const LONG: usize = 1 << 16;
 
 impl Gks {
     /// POLYLINE: lines from each point to the next.
@@ -15,8 +21,39 @@ impl Gks {
         self.check_state(F)?;
         let points = points.into();
         at_least(F, &points, 2)?;
+        if points.len() >= LONG && self.open_segment.is_none() {
+            return self.long_polyline(&points);
+        }
         self.normalize(&points, 2, true);
         self.output_paths(F, |paths: Paths<'_, Ndc>| Shape::Polyline(paths))
+    }
+
+    /// Draws a polyline that is in no segment on every active workstation; its points are copied only if a
+    /// workstation has to hold them.
+    fn long_polyline(&mut self, points: &Points<'_>) -> Result<()> {
+        let Gks { workstations, segments, look, normalization, pick, paths, .. } = self;
+        let line = LongLine::new(*points, normalization.map);
+        let clip = normalization.clip;
+        paths.clear();
+        let mut draw = |id, workstation: &mut Workstation| {
+            if workstation.is_regeneration_due() {
+                workstation.redraw(segments.on(id))?;
+            }
+            if workstation.draw_long_line(&line, look, &clip)? == Drawn::Yes {
+                return Ok(());
+            }
+            if paths.ends.is_empty() {
+                paths.add_pieces(&line);
+            }
+            let shape = Shape::Polyline(paths.as_paths());
+            workstation.draw(&Item { shape, look, clip, pick: *pick })
+        };
+        let mut failure = Ok(());
+        for (&id, open) in workstations.iter_mut().filter(|(_, open)| open.active) {
+            let drawn = draw(id, &mut open.workstation);
+            failure = failure.and(drawn.map_err(|error| device_error(Function::Polyline, &error)));
+        }
+        failure
     }
 
     /// POLYMARKER: a marker at each point.
@@ -106,7 +143,10 @@ impl Gks {
         let map = self.normalization.map.0;
         let paths = &mut self.paths;
         paths.clear();
-        paths.points.reserve(points.len());
+        if points.add_mapped(&map, &mut paths.points) {
+            return paths.end_or_drop(least);
+        }
+        paths.clear();
         points.for_each(|p| {
             let p = map.transform_point2(p);
             if p.is_finite() {
@@ -139,4 +179,34 @@ fn at_least(function: Function, points: &Points<'_>, least: usize) -> Result<()>
         return Err(Error::new(100, function).because(format!("{} points", points.len())));
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::LONG;
+    use crate::test_device::{Drawing, INDEXED, PLAIN, TRUE_COLOUR, active};
+
+    #[test]
+    fn long_polylines_are_held_only_by_those_who_want_to() {
+        let points: Vec<(f64, f64)> = (0..LONG).map(|i| (i as f64 / LONG as f64, 0.25)).collect();
+        let (mut gks, log) = active(&[INDEXED, PLAIN, TRUE_COLOUR]);
+        gks.polyline(&points[1..]).unwrap();
+        let held: Vec<_> = log.marks().into_iter().map(|(drawing, _)| drawing).collect();
+        gks.polyline(&points).unwrap();
+        let long: Vec<_> = log.marks().into_iter().map(|(drawing, _)| drawing).collect();
+        assert_eq!((held.len(), long.len()), (3, 3));
+        for (workstation, (held, long)) in held.iter().zip(&long).enumerate() {
+            let Drawing::Lines(held, _) = held else { panic!("a short line should be held") };
+            let long = match (workstation, long) {
+                (1, Drawing::LongLine(paths, _)) | (0 | 2, Drawing::Lines(paths, _)) => paths,
+                _ => panic!("workstation {workstation} was not asked for what it can do"),
+            };
+            assert_eq!((long.len(), long[0].len()), (1, LONG));
+            assert_eq!(held[0], long[0][1..]);
+        }
+        gks.create_segment(1).unwrap();
+        gks.polyline(&points).unwrap();
+        assert!(log.marks().iter().all(|(drawing, _)| matches!(drawing, Drawing::Lines(..))));
+        gks.close_segment().unwrap();
+    }
 }

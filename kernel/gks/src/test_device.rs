@@ -1,7 +1,7 @@
 //! Devices for tests: they draw nothing and record what they are asked to draw.
 
 use crate::{Gks, Result};
-use gks_geometry::{Du, Paths, Rect};
+use gks_geometry::{Du, PathBuf, Paths, Rect};
 use gks_pipeline::colour::{Colour, Paint};
 use gks_pipeline::description::{
     Catalogue, Category, Classification, DeferralMode, Description, DynamicModification,
@@ -42,6 +42,7 @@ pub(crate) enum Event {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Drawing {
     Lines(Vec<Vec<DVec2>>, Stroke),
+    LongLine(Vec<Vec<DVec2>>, Stroke),
     Area(Vec<Vec<DVec2>>, Rule, Paint),
     Patterned(Vec<Vec<DVec2>>, Parallelogram<Du>, Table),
     Markers(Vec<DVec2>, MarkerStyle),
@@ -225,6 +226,9 @@ impl Device for TestDevice {
         if self.broken {
             return Err(io::Error::other("the device is broken").into());
         }
+        if matches!(mark.form, Form::LongLine(..)) && self.pixels.is_some() {
+            return Ok(Drawn::No);
+        }
         self.log.push(Event::Draw(keep(&mark.form), mark.clip));
         Ok(Drawn::Yes)
     }
@@ -258,6 +262,11 @@ fn keep(form: &Form<'_>) -> Drawing {
         indices: g.paints.iter().map(|paint| paint.index).collect(),
     };
     match form {
+        Form::LongLine(line, pen) => {
+            let mut whole = PathBuf::new();
+            whole.add_pieces(line);
+            Drawing::LongLine(paths(&whole.as_paths()), stroke(pen))
+        }
         Form::Lines(p, pen) => Drawing::Lines(paths(p), stroke(pen)),
         Form::Area(p, rule, Fill::Solid(paint)) => Drawing::Area(paths(p), *rule, *paint),
         Form::Area(p, _, Fill::Pattern(place, grid)) => Drawing::Patterned(paths(p), *place, table(grid)),

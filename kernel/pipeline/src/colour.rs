@@ -24,6 +24,25 @@ impl Colour {
         Colour { red, green, blue, alpha: 1.0 }
     }
 
+    /// The opaque colour of red, green and blue of 8 bits each, as in 0xff8000 for orange.
+    pub fn from_packed(rgb: u32) -> Self {
+        let [_, red, green, blue] = rgb.to_be_bytes().map(|byte| f32::from(byte) / 255.0);
+        Colour::rgb(red, green, blue)
+    }
+
+    /// The colour that a packed colour index holds in itself, if it is one.
+    ///
+    /// Bit 30 marks it, bit 31 is clear; below are 6 bits of opacity and 8 bits each of red, green and blue. Programs
+    /// of NCAR Graphics have more colours in this way than a table has.
+    #[inline]
+    pub fn of_packed_index(index: u32) -> Option<Self> {
+        const MARK: u32 = 1 << 30;
+        let bits = |shift: u32, most: u32| (index >> shift & most) as f32 / most as f32;
+        let colour =
+            || Colour { red: bits(16, 255), green: bits(8, 255), blue: bits(0, 255), alpha: bits(24, 63) };
+        (index & 3 << 30 == MARK).then(colour)
+    }
+
     /// The four components as bytes, rounded to nearest.
     pub fn to_bytes(self) -> [u8; 4] {
         [self.red, self.green, self.blue, self.alpha].map(|c| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8)
@@ -50,4 +69,19 @@ pub struct Paint {
     pub colour: Colour,
     /// The colour index as the application gave it, or the index that replaced it if it is not in the table.
     pub index: u32,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn packed_indices_hold_a_colour() {
+        let half_blue = Colour { alpha: 21.0 / 63.0, ..Colour::rgb(0.0, 0.0, 1.0) };
+        assert_eq!(Colour::of_packed_index(1 << 30 | 21 << 24 | 0xff), Some(half_blue));
+        assert_eq!(Colour::of_packed_index(0x7fff_ffff), Some(Colour::WHITE));
+        for index in [0, 65_535, (1 << 30) - 1, 1 << 31, u32::MAX] {
+            assert_eq!(Colour::of_packed_index(index), None, "{index}");
+        }
+    }
 }

@@ -43,7 +43,7 @@ use crate::font::OutlineFace;
 use crate::input::Input;
 use crate::item::{Curve, Parallelogram};
 use crate::look::{Cap, Join};
-use gks_geometry::{Du, Paths, Point, Rect, Vector};
+use gks_geometry::{Du, LongLine, Paths, Point, Rect, Vector};
 use glam::DVec2;
 use std::io;
 
@@ -173,6 +173,8 @@ pub struct Mark<'a> {
 pub enum Form<'a> {
     /// Lines along paths; a path of one point is a dot as wide as the pen.
     Lines(Paths<'a, Du>, Pen<'a>),
+    /// A line of so many points that they are not held: they come piece by piece. Refused, it comes as lines.
+    LongLine(LongLine<'a, Du>, Pen<'a>),
     /// The area inside of rings.
     Area(Paths<'a, Du>, Rule, Fill<'a>),
     /// The same marker at many positions.

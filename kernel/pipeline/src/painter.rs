@@ -16,7 +16,7 @@ use crate::tables::Tables;
 use gks_algorithms as algorithms;
 use gks_algorithms::clip::sutherland_hodgman;
 use gks_algorithms::fill::Hatch;
-use gks_geometry::{Du, Map, Ndc, PathBuf, Paths, Rect};
+use gks_geometry::{Du, LongLine, Map, Ndc, PathBuf, Paths, Rect};
 use glam::DVec2;
 
 /// The most dashes that one polyline is cut into; beyond, it is drawn solid.
@@ -31,7 +31,7 @@ pub struct Painter {
     pub(crate) strokes: PathBuf<Du>,
     pieces: PathBuf<Du>,
     outlines: PathBuf<Du>,
-    dash: Vec<f64>,
+    dash: Dash,
     pub(crate) hatch: Hatch,
     paints: Vec<Paint>,
     pub(crate) layout: Layout,
@@ -119,6 +119,26 @@ impl Painter {
         self.mapped = mapped;
         self.dash = dash;
         done
+    }
+
+    /// Offers a long line as such, or not at all; a polyline is the same line.
+    pub(crate) fn long_line(
+        &mut self,
+        line: &LongLine<'_, Ndc>,
+        look: &Look,
+        clip: &Rect<Ndc>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<Drawn, DeviceError> {
+        let Some(clip) = clip.intersection(&canvas.window) else { return Ok(Drawn::Yes) };
+        let clip = canvas.clip_map.rect(&clip);
+        let line = line.mapped(&canvas.map);
+        let Some(bounds) = line.bounds() else { return Ok(Drawn::Yes) };
+        let crossing = match visibility(&bounds, &clip) {
+            Visibility::Hidden => return Ok(Drawn::Yes),
+            Visibility::Whole => None,
+            Visibility::Crossing => Some(clip),
+        };
+        self.with_pen(look, canvas, |_, pen, canvas| canvas.offer(Form::LongLine(line, *pen), crossing))
     }
 
     /// Draws lines inside of `clip`.
@@ -229,7 +249,7 @@ impl Painter {
             Visibility::Crossing => true,
         };
         let bundle = canvas.tables.fill(look);
-        let paint = canvas.tables.paint(bundle.colour);
+        let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.areas);
         match bundle.interior {
             InteriorStyle::Solid => self.solid(rings, Rule::EvenOdd, paint, clip, canvas),
             InteriorStyle::Pattern => {
@@ -405,14 +425,29 @@ pub(crate) fn plain_pen(paint: Paint, canvas: &Canvas<'_>) -> Pen<'static> {
     Pen { paint, width: canvas.surface.nominal_linewidth(), dash: &[], cap: Cap::Round, join: Join::Round }
 }
 
+/// Width and dashes of the last line, kept as long as lines look the same.
+#[derive(Default)]
+struct Dash {
+    linetype: i32,
+    /// The linewidth scale factor, the shorter side of the surface and its resolution.
+    factors: [f64; 3],
+    width: f64,
+    lengths: Vec<f64>,
+}
+
 /// The pen that the polyline attributes of `look` mean on this workstation; its dashes are put into `dash`.
-fn resolve_pen<'d>(look: &Look, canvas: &Canvas<'_>, dash: &'d mut Vec<f64>) -> Pen<'d> {
+fn resolve_pen<'d>(look: &Look, canvas: &Canvas<'_>, dash: &'d mut Dash) -> Pen<'d> {
     let bundle = canvas.tables.line(look);
-    let nominal = canvas.surface.nominal_linewidth();
-    let width = lower::line::width(bundle.width, canvas.surface);
-    dash.clear();
-    // Dashes of wide lines grow with the width, or they would merge.
-    let unit = nominal.max(width * 0.5);
-    dash.extend(lower::line::dashes(bundle.linetype).iter().map(|d| d * unit));
-    Pen { paint: canvas.tables.paint(bundle.colour), width, dash, cap: look.cap, join: look.join }
+    let surface = canvas.surface;
+    let factors = [bundle.width, surface.width.min(surface.height), surface.resolution];
+    if dash.linetype != bundle.linetype || dash.factors != factors {
+        (dash.linetype, dash.factors) = (bundle.linetype, factors);
+        dash.width = lower::line::width(bundle.width, surface);
+        // Dashes of wide lines grow with the width, or they would merge.
+        let unit = surface.nominal_linewidth().max(dash.width * 0.5);
+        dash.lengths.clear();
+        dash.lengths.extend(lower::line::dashes(bundle.linetype).iter().map(|d| d * unit));
+    }
+    let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.lines);
+    Pen { paint, width: dash.width, dash: &dash.lengths, cap: look.cap, join: look.join }
 }

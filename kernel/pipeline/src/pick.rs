@@ -135,7 +135,7 @@ impl Device for Aperture {
             }
             Form::Cells(place, _) => self.area(&square, outline(place).as_paths(), Rule::EvenOdd),
             // Characters and curves come again as outlines and polygons.
-            Form::Text(_) | Form::Stroke(..) | Form::Filled(..) => return Ok(Drawn::No),
+            Form::LongLine(..) | Form::Text(_) | Form::Stroke(..) | Form::Filled(..) => return Ok(Drawn::No),
         };
         Ok(Drawn::Yes)
     }

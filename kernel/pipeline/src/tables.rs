@@ -2,7 +2,9 @@
 
 use crate::colour::{Colour, Paint};
 use crate::generated::numbers;
-use crate::look::{Aspect, FillBundle, InteriorStyle, LineBundle, Look, MarkerBundle, Precision, TextBundle};
+use crate::look::{
+    Aspect, FillBundle, InteriorStyle, LineBundle, Look, MarkerBundle, Precision, TextBundle, enumeration,
+};
 use std::collections::BTreeMap;
 
 /// A pattern: colour indices of `columns` x `rows` cells, row by row from the top.
@@ -37,6 +39,50 @@ pub struct Tables {
     pub substitutes: &'static [(i32, i32)],
     /// The nominal marker size as a multiple of the one that all devices have.
     pub marker_scale: f64,
+    /// How opaque primitives are, on top of the opacity of their colours.
+    pub opacity: Opacity,
+}
+
+enumeration! {
+    /// The kinds of primitives that have an opacity.
+    Primitives {
+        /// Polylines.
+        Lines = 0,
+        /// Polymarkers.
+        Markers = 1,
+        /// Text.
+        Text = 2,
+        /// Fill areas and cell arrays.
+        Areas = 3,
+    }
+}
+
+/// The opacity of the primitives of a workstation by their kind, from 0 to 1. Beyond the standard.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub struct Opacity {
+    /// Of polylines.
+    pub lines: f32,
+    /// Of polymarkers.
+    pub markers: f32,
+    /// Of text.
+    pub text: f32,
+    /// Of fill areas and cell arrays.
+    pub areas: f32,
+}
+
+impl Opacity {
+    /// Everything covers what is below.
+    pub const FULL: Opacity = Opacity { lines: 1.0, markers: 1.0, text: 1.0, areas: 1.0 };
+
+    /// The opacity of a kind of primitives, to be changed.
+    pub fn of(&mut self, primitives: Primitives) -> &mut f32 {
+        match primitives {
+            Primitives::Lines => &mut self.lines,
+            Primitives::Markers => &mut self.markers,
+            Primitives::Text => &mut self.text,
+            Primitives::Areas => &mut self.areas,
+        }
+    }
 }
 
 /// A colour table: dense where indices are small, so that a look-up costs one load.
@@ -50,13 +96,13 @@ pub struct Colours {
 const DENSE: u32 = 4096;
 
 impl Colours {
-    /// The colour of an index, if it has one.
+    /// The colour of an index, if it has one; a packed index has the one that it holds.
     #[inline]
     pub fn get(&self, index: u32) -> Option<Colour> {
         if index < DENSE {
             self.dense.get(index as usize).copied().flatten()
         } else {
-            self.sparse.get(&index).copied()
+            self.sparse.get(&index).copied().or_else(|| Colour::of_packed_index(index))
         }
     }
 
@@ -150,6 +196,7 @@ impl Tables {
             colours,
             substitutes: &[],
             marker_scale: 1.0,
+            opacity: Opacity::FULL,
         }
     }
 
@@ -244,6 +291,14 @@ impl Tables {
             Some(colour) => Paint { colour, index },
             None => Paint { colour: self.colours.get(1).unwrap_or(Colour::BLACK), index: 1 },
         }
+    }
+
+    /// The paint of a colour index for primitives of an opacity.
+    #[inline]
+    pub fn translucent(&self, index: u32, opacity: f32) -> Paint {
+        let mut paint = self.paint(index);
+        paint.colour.alpha *= opacity;
+        paint
     }
 
     /// The colour of the empty display surface.

@@ -7,12 +7,13 @@ use crate::description::{DeferralMode, Description, DynamicModification, Regener
 use crate::device::{Device, DeviceError, Drawn, FrameBuffer, Page};
 use crate::input::Input;
 use crate::item::Item;
+use crate::look::Look;
 use crate::painter::{Canvas, Painter};
 use crate::record::{Record, Source};
 use crate::recording::Recording;
 use crate::segment::{Appearance, Segment};
 use crate::tables::Tables;
-use gks_geometry::{Dc, Du, Map, Ndc, Point, Rect};
+use gks_geometry::{Dc, Du, LongLine, Map, Ndc, Point, Rect};
 use glam::{DAffine2, DMat2, DVec2};
 
 /// The window and the viewport of a workstation transformation.
@@ -211,17 +212,47 @@ impl Workstation {
     /// Draws a primitive that is in no segment.
     pub fn draw(&mut self, item: &Item<'_>) -> Result<(), DeviceError> {
         self.loose = true;
-        self.paint(item, &Map::IDENTITY, false)?;
+        self.paint(item, None, false)?;
         self.present()
+    }
+
+    /// Draws a long line that is in no segment, if it can be drawn without holding its points; else nothing
+    /// is drawn, and it has to come as a polyline.
+    pub fn draw_long_line(
+        &mut self,
+        line: &LongLine<'_, Ndc>,
+        look: &Look,
+        clip: &Rect<Ndc>,
+    ) -> Result<Drawn, DeviceError> {
+        if self.copied.is_some() || !matches!(self.backend, Backend::Device(_)) {
+            return Ok(Drawn::No);
+        }
+        self.loose = true;
+        self.begin_page()?;
+        self.empty = false;
+        let Workstation { backend, description, tables, painter, map, current, .. } = self;
+        let Backend::Device(device) = backend else { return Ok(Drawn::No) };
+        let mut canvas = Canvas {
+            device: &mut **device,
+            surface: &description.surface,
+            tables,
+            map: *map,
+            clip_map: *map,
+            glow: false,
+            window: current.window,
+        };
+        let drawn = painter.long_line(line, look, clip, &mut canvas)?;
+        self.present()?;
+        Ok(drawn)
     }
 
     /// Draws a primitive of the open segment, over what is there.
     pub fn draw_in_segment(&mut self, item: &Item<'_>, appearance: &Appearance) -> Result<(), DeviceError> {
         if appearance.highlighted && !self.has_segments() {
-            self.paint(item, &appearance.transformation, true)?;
+            self.paint(item, Some(&appearance.transformation), true)?;
         }
         self.kept = true;
-        self.paint(item, &appearance.transformation, false)?;
+        self.paint(item, Some(&appearance.transformation), false)?;
         self.present()
     }
 
@@ -240,7 +271,7 @@ impl Workstation {
             for item in &segment.recording {
                 copy.clear();
                 copy.push_mapped(&item, &segment.appearance.transformation);
-                copy.iter().try_for_each(|item| self.paint(&item, &Map::IDENTITY, false))?;
+                copy.iter().try_for_each(|item| self.paint(&item, None, false))?;
             }
             return Ok(());
         }
@@ -249,16 +280,17 @@ impl Workstation {
         drawn.and(self.present())
     }
 
+    /// Paints an item, moved by a segment transformation if there is one.
     fn paint(
         &mut self,
         item: &Item<'_>,
-        transformation: &Map<Ndc, Ndc>,
+        transformation: Option<&Map<Ndc, Ndc>>,
         glow: bool,
     ) -> Result<(), DeviceError> {
         self.begin_page()?;
         self.empty = false;
         if let Some(copied) = &mut self.copied {
-            copied.push_mapped(item, transformation);
+            copied.push_mapped(item, transformation.unwrap_or(&Map::IDENTITY));
         }
         let portable = if matches!(self.backend, Backend::Recorder(_) | Backend::Pictures(_)) {
             self.tables.portable(item.look)
@@ -270,9 +302,12 @@ impl Workstation {
         let device = match backend {
             Backend::Device(device) => &mut **device,
             Backend::Recorder(recorder) => return recorder.draw(item),
-            Backend::Pictures(_) if glow => return self.record_band(item, transformation),
-            Backend::Pictures(recorder) if *transformation == Map::IDENTITY => return recorder.draw(item),
+            Backend::Pictures(_) if glow => {
+                return self.record_band(item, transformation.unwrap_or(&Map::IDENTITY));
+            }
             Backend::Pictures(recorder) => {
+                let moves = transformation.filter(|transformation| **transformation != Map::IDENTITY);
+                let Some(transformation) = moves else { return recorder.draw(item) };
                 moved.clear();
                 moved.push_mapped(item, transformation);
                 return moved.iter().try_for_each(|item| recorder.draw(&item));
@@ -283,7 +318,7 @@ impl Workstation {
             device,
             surface: &description.surface,
             tables,
-            map: transformation.then(map),
+            map: transformation.map_or(*map, |transformation| transformation.then(map)),
             clip_map: *map,
             glow,
             window: current.window,
@@ -368,9 +403,9 @@ impl Workstation {
         let Appearance { transformation, highlighted } = appearance;
         let mut items = segment.recording.iter();
         if *highlighted && !self.has_segments() {
-            items.clone().try_for_each(|item| self.paint(&item, transformation, true))?;
+            items.clone().try_for_each(|item| self.paint(&item, Some(transformation), true))?;
         }
-        items.try_for_each(|item| self.paint(&item, transformation, false))
+        items.try_for_each(|item| self.paint(&item, Some(transformation), false))
     }
 
     /// Makes all that was drawn visible; draws the picture again if that is necessary and `perform` is set,

@@ -1,6 +1,6 @@
 use super::check;
 use crate::repository;
-use crate::tables::{Function, OneOrMore, Tables};
+use crate::tables::{Error, Function, OneOrMore, Tables};
 
 fn tables() -> Tables {
     Tables::load(&repository().join("spec")).expect("the tables can be read")
@@ -102,6 +102,30 @@ fn an_unreachable_error_needs_a_reason_and_a_place() {
     });
     expect("TEXT: error 101 is unreachable without a reason", |t| {
         function(t, "TEXT").unreachable.insert("101".to_owned(), String::new());
+    });
+}
+
+#[test]
+fn an_error_number_is_provoked_or_explained() {
+    let error = |t: &mut Tables, number: i32, change: fn(&mut Error)| {
+        change(t.errors.iter_mut().find(|e| e.number == number).expect("the number is in the table"));
+    };
+    expect("error 43: it is neither provoked nor explained", |t| error(t, 43, |e| e.never = None));
+    expect("error 43: it is never met, without a reason", |t| {
+        error(t, 43, |e| e.never = Some(String::new()));
+    });
+    expect("error 100: it is met in more than one way", |t| {
+        error(t, 100, |e| e.never = Some("why not".to_owned()));
+    });
+    expect("error -101: it is met in more than one way", |t| {
+        error(t, -101, |e| e.provoked_by = Some("tests/run".to_owned()));
+    });
+    expect("error 302: the test that is said to provoke it does not name it", |t| {
+        error(t, 302, |e| e.provoked_by = Some("tests/programs/f/lists.f".to_owned()));
+    });
+    expect("error 83: it is neither", |t| t.errors.iter_mut().for_each(|e| e.never = None));
+    expect("error category implementation: XGKS: it has no reason", |t| {
+        t.error_categories[0].never.clear();
     });
 }
 

@@ -240,27 +240,27 @@ pub(crate) static SUBROUTINES: &[Subroutine] = &[
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GCLKS", call: |_| unsafe { gclks_() } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GOPWK", call: |a| unsafe { gopwk_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GOPWK", call: |a| unsafe { gopwk_(a.among(1, 7), a.among(1, 9), a.workstation_type()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GCLWK", call: |a| unsafe { gclwk_(a.integer()) } },
+    Subroutine { name: "GCLWK", call: |a| unsafe { gclwk_(a.among(1, 7)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GACWK", call: |a| unsafe { gacwk_(a.integer()) } },
+    Subroutine { name: "GACWK", call: |a| unsafe { gacwk_(a.among(1, 7)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GDAWK", call: |a| unsafe { gdawk_(a.integer()) } },
+    Subroutine { name: "GDAWK", call: |a| unsafe { gdawk_(a.among(1, 7)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GCLRWK", call: |a| unsafe { gclrwk_(a.integer(), a.integer()) } },
+    Subroutine { name: "GCLRWK", call: |a| unsafe { gclrwk_(a.among(1, 7), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GRSGWK", call: |a| unsafe { grsgwk_(a.integer()) } },
+    Subroutine { name: "GRSGWK", call: |a| unsafe { grsgwk_(a.among(1, 7)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GUWK", call: |a| unsafe { guwk_(a.integer(), a.integer()) } },
+    Subroutine { name: "GUWK", call: |a| unsafe { guwk_(a.among(1, 7), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSDS", call: |a| unsafe { gsds_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GSDS", call: |a| unsafe { gsds_(a.among(1, 7), a.among(0, 4), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GMSG", call: |a| unsafe { gmsg_(a.integer(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GMSG", call: |a| unsafe { gmsg_(a.among(1, 7), a.characters(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GMSGS", call: |a| unsafe { gmsgs_(a.integer(), a.integer(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GMSGS", call: |a| unsafe { gmsgs_(a.among(1, 7), a.integer(), a.characters(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GESC", call: |a| unsafe { gesc_(a.count(), a.count(), a.characters(), a.count(), a.count(), a.characters(), Arguments::LENGTH, Arguments::LENGTH) } },
+    Subroutine { name: "GESC", call: |a| unsafe { gesc_(a.among(-3005, 5), a.count(), a.record(), a.count(), a.output_integers(), a.record(), Arguments::LENGTH, Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GPL", call: |a| unsafe { gpl_(a.count(), a.reals(), a.reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
@@ -274,7 +274,7 @@ pub(crate) static SUBROUTINES: &[Subroutine] = &[
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GCA", call: |a| unsafe { gca_(a.real(), a.real(), a.real(), a.real(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GGDP", call: |a| unsafe { ggdp_(a.count(), a.reals(), a.reals(), a.count(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GGDP", call: |a| unsafe { ggdp_(a.count(), a.reals(), a.reals(), a.among(-10, 10), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSPLI", call: |a| unsafe { gspli_(a.integer()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
@@ -294,7 +294,7 @@ pub(crate) static SUBROUTINES: &[Subroutine] = &[
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSTXI", call: |a| unsafe { gstxi_(a.integer()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSTXFP", call: |a| unsafe { gstxfp_(a.integer(), a.integer()) } },
+    Subroutine { name: "GSTXFP", call: |a| unsafe { gstxfp_(a.integer(), a.among(0, 3)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSCHXP", call: |a| unsafe { gschxp_(a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
@@ -306,13 +306,13 @@ pub(crate) static SUBROUTINES: &[Subroutine] = &[
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSCHUP", call: |a| unsafe { gschup_(a.real(), a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSTXP", call: |a| unsafe { gstxp_(a.integer()) } },
+    Subroutine { name: "GSTXP", call: |a| unsafe { gstxp_(a.among(0, 4)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSTXAL", call: |a| unsafe { gstxal_(a.integer(), a.integer()) } },
+    Subroutine { name: "GSTXAL", call: |a| unsafe { gstxal_(a.among(0, 4), a.among(0, 6)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSFAI", call: |a| unsafe { gsfai_(a.integer()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSFAIS", call: |a| unsafe { gsfais_(a.integer()) } },
+    Subroutine { name: "GSFAIS", call: |a| unsafe { gsfais_(a.among(0, 4)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSFASI", call: |a| unsafe { gsfasi_(a.integer()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
@@ -326,349 +326,349 @@ pub(crate) static SUBROUTINES: &[Subroutine] = &[
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSPKID", call: |a| unsafe { gspkid_(a.integer()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSPLR", call: |a| unsafe { gsplr_(a.integer(), a.integer(), a.integer(), a.real(), a.integer()) } },
+    Subroutine { name: "GSPLR", call: |a| unsafe { gsplr_(a.among(1, 7), a.integer(), a.integer(), a.real(), a.integer()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSPMR", call: |a| unsafe { gspmr_(a.integer(), a.integer(), a.integer(), a.real(), a.integer()) } },
+    Subroutine { name: "GSPMR", call: |a| unsafe { gspmr_(a.among(1, 7), a.integer(), a.integer(), a.real(), a.integer()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSTXR", call: |a| unsafe { gstxr_(a.integer(), a.integer(), a.integer(), a.integer(), a.real(), a.real(), a.integer()) } },
+    Subroutine { name: "GSTXR", call: |a| unsafe { gstxr_(a.among(1, 7), a.integer(), a.integer(), a.among(0, 3), a.real(), a.real(), a.integer()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSFAR", call: |a| unsafe { gsfar_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GSFAR", call: |a| unsafe { gsfar_(a.among(1, 7), a.integer(), a.among(0, 4), a.integer(), a.integer()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSPAR", call: |a| unsafe { gspar_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.integers()) } },
+    Subroutine { name: "GSPAR", call: |a| unsafe { gspar_(a.among(1, 7), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSCR", call: |a| unsafe { gscr_(a.integer(), a.integer(), a.real(), a.real(), a.real()) } },
+    Subroutine { name: "GSCR", call: |a| unsafe { gscr_(a.among(1, 7), a.integer(), a.real(), a.real(), a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSWN", call: |a| unsafe { gswn_(a.integer(), a.real(), a.real(), a.real(), a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSVP", call: |a| unsafe { gsvp_(a.integer(), a.real(), a.real(), a.real(), a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSVPIP", call: |a| unsafe { gsvpip_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GSVPIP", call: |a| unsafe { gsvpip_(a.integer(), a.integer(), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GSELNT", call: |a| unsafe { gselnt_(a.integer()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSCLIP", call: |a| unsafe { gsclip_(a.integer()) } },
+    Subroutine { name: "GSCLIP", call: |a| unsafe { gsclip_(a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSWKWN", call: |a| unsafe { gswkwn_(a.integer(), a.real(), a.real(), a.real(), a.real()) } },
+    Subroutine { name: "GSWKWN", call: |a| unsafe { gswkwn_(a.among(1, 7), a.real(), a.real(), a.real(), a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSWKVP", call: |a| unsafe { gswkvp_(a.integer(), a.real(), a.real(), a.real(), a.real()) } },
+    Subroutine { name: "GSWKVP", call: |a| unsafe { gswkvp_(a.among(1, 7), a.real(), a.real(), a.real(), a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GCRSG", call: |a| unsafe { gcrsg_(a.integer()) } },
+    Subroutine { name: "GCRSG", call: |a| unsafe { gcrsg_(a.among(1, 4)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GCLSG", call: |_| unsafe { gclsg_() } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GRENSG", call: |a| unsafe { grensg_(a.integer(), a.integer()) } },
+    Subroutine { name: "GRENSG", call: |a| unsafe { grensg_(a.among(1, 4), a.among(1, 4)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GDSG", call: |a| unsafe { gdsg_(a.integer()) } },
+    Subroutine { name: "GDSG", call: |a| unsafe { gdsg_(a.among(1, 4)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GDSGWK", call: |a| unsafe { gdsgwk_(a.integer(), a.integer()) } },
+    Subroutine { name: "GDSGWK", call: |a| unsafe { gdsgwk_(a.among(1, 7), a.among(1, 4)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GASGWK", call: |a| unsafe { gasgwk_(a.integer(), a.integer()) } },
+    Subroutine { name: "GASGWK", call: |a| unsafe { gasgwk_(a.among(1, 7), a.among(1, 4)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GCSGWK", call: |a| unsafe { gcsgwk_(a.integer(), a.integer()) } },
+    Subroutine { name: "GCSGWK", call: |a| unsafe { gcsgwk_(a.among(1, 7), a.among(1, 4)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINSG", call: |a| unsafe { ginsg_(a.count(), a.reals()) } },
+    Subroutine { name: "GINSG", call: |a| unsafe { ginsg_(a.among(1, 4), a.reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSSGT", call: |a| unsafe { gssgt_(a.count(), a.reals()) } },
+    Subroutine { name: "GSSGT", call: |a| unsafe { gssgt_(a.among(1, 4), a.reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSVIS", call: |a| unsafe { gsvis_(a.integer(), a.integer()) } },
+    Subroutine { name: "GSVIS", call: |a| unsafe { gsvis_(a.among(1, 4), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSHLIT", call: |a| unsafe { gshlit_(a.integer(), a.integer()) } },
+    Subroutine { name: "GSHLIT", call: |a| unsafe { gshlit_(a.among(1, 4), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSSGP", call: |a| unsafe { gssgp_(a.integer(), a.real()) } },
+    Subroutine { name: "GSSGP", call: |a| unsafe { gssgp_(a.among(1, 4), a.real()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSDTEC", call: |a| unsafe { gsdtec_(a.integer(), a.integer()) } },
+    Subroutine { name: "GSDTEC", call: |a| unsafe { gsdtec_(a.among(1, 4), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINLC", call: |a| unsafe { ginlc_(a.count(), a.count(), a.count(), a.real(), a.real(), a.count(), a.real(), a.real(), a.real(), a.real(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GINLC", call: |a| unsafe { ginlc_(a.among(1, 7), a.among(1, 2), a.count(), a.real(), a.real(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINSK", call: |a| unsafe { ginsk_(a.count(), a.count(), a.count(), a.count(), a.reals(), a.reals(), a.count(), a.real(), a.real(), a.real(), a.real(), a.count(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GINSK", call: |a| unsafe { ginsk_(a.among(1, 7), a.among(1, 2), a.count(), a.count(), a.reals(), a.reals(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.count(), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINVL", call: |a| unsafe { ginvl_(a.count(), a.count(), a.real(), a.count(), a.real(), a.real(), a.real(), a.real(), a.real(), a.real(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GINVL", call: |a| unsafe { ginvl_(a.among(1, 7), a.among(1, 2), a.real(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.real(), a.real(), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINCH", call: |a| unsafe { ginch_(a.count(), a.count(), a.count(), a.count(), a.count(), a.real(), a.real(), a.real(), a.real(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GINCH", call: |a| unsafe { ginch_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.count(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINPK", call: |a| unsafe { ginpk_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.real(), a.real(), a.real(), a.real(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GINPK", call: |a| unsafe { ginpk_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.among(1, 4), a.count(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINST", call: |a| unsafe { ginst_(a.count(), a.count(), a.count(), a.characters(), a.count(), a.real(), a.real(), a.real(), a.real(), a.count(), a.count(), a.count(), a.characters(), Arguments::LENGTH, Arguments::LENGTH) } },
+    Subroutine { name: "GINST", call: |a| unsafe { ginst_(a.among(1, 7), a.among(1, 2), a.count(), a.characters(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.count(), a.count(), a.count(), a.record(), Arguments::LENGTH, Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GINSTS", call: |a| unsafe { ginsts_(a.count(), a.count(), a.count(), a.characters(), a.count(), a.real(), a.real(), a.real(), a.real(), a.count(), a.count(), a.count(), a.characters(), Arguments::LENGTH, Arguments::LENGTH) } },
+    Subroutine { name: "GINSTS", call: |a| unsafe { ginsts_(a.among(1, 7), a.among(1, 2), a.count(), a.characters(), a.integer(), a.real(), a.real(), a.real(), a.real(), a.count(), a.count(), a.count(), a.record(), Arguments::LENGTH, Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSLCM", call: |a| unsafe { gslcm_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GSLCM", call: |a| unsafe { gslcm_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSSKM", call: |a| unsafe { gsskm_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GSSKM", call: |a| unsafe { gsskm_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSVLM", call: |a| unsafe { gsvlm_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GSVLM", call: |a| unsafe { gsvlm_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSCHM", call: |a| unsafe { gschm_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GSCHM", call: |a| unsafe { gschm_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSPKM", call: |a| unsafe { gspkm_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GSPKM", call: |a| unsafe { gspkm_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSSTM", call: |a| unsafe { gsstm_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GSSTM", call: |a| unsafe { gsstm_(a.among(1, 7), a.among(1, 2), a.among(0, 3), a.among(0, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GRQLC", call: |a| unsafe { grqlc_(a.integer(), a.integer(), a.integer(), a.integer(), a.real(), a.real()) } },
+    Subroutine { name: "GRQLC", call: |a| unsafe { grqlc_(a.among(1, 7), a.among(1, 2), a.output_integers(), a.output_integers(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GRQSK", call: |a| unsafe { grqsk_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.reals(), a.reals()) } },
+    Subroutine { name: "GRQSK", call: |a| unsafe { grqsk_(a.among(1, 7), a.among(1, 2), a.count(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GRQVL", call: |a| unsafe { grqvl_(a.integer(), a.integer(), a.integer(), a.real()) } },
+    Subroutine { name: "GRQVL", call: |a| unsafe { grqvl_(a.among(1, 7), a.among(1, 2), a.output_integers(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GRQCH", call: |a| unsafe { grqch_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GRQCH", call: |a| unsafe { grqch_(a.among(1, 7), a.among(1, 2), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GRQPK", call: |a| unsafe { grqpk_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GRQPK", call: |a| unsafe { grqpk_(a.among(1, 7), a.among(1, 2), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GRQST", call: |a| unsafe { grqst_(a.integer(), a.integer(), a.integer(), a.integer(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GRQST", call: |a| unsafe { grqst_(a.among(1, 7), a.among(1, 2), a.output_integers(), a.output_integers(), a.output_characters(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GRQSTS", call: |a| unsafe { grqsts_(a.integer(), a.integer(), a.integer(), a.integer(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GRQSTS", call: |a| unsafe { grqsts_(a.among(1, 7), a.among(1, 2), a.output_integers(), a.output_integers(), a.output_characters(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSMLC", call: |a| unsafe { gsmlc_(a.integer(), a.integer(), a.integer(), a.real(), a.real()) } },
+    Subroutine { name: "GSMLC", call: |a| unsafe { gsmlc_(a.among(1, 7), a.among(1, 2), a.output_integers(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSMSK", call: |a| unsafe { gsmsk_(a.count(), a.count(), a.count(), a.count(), a.count(), a.reals(), a.reals()) } },
+    Subroutine { name: "GSMSK", call: |a| unsafe { gsmsk_(a.among(1, 7), a.among(1, 2), a.count(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSMVL", call: |a| unsafe { gsmvl_(a.integer(), a.integer(), a.real()) } },
+    Subroutine { name: "GSMVL", call: |a| unsafe { gsmvl_(a.among(1, 7), a.among(1, 2), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSMCH", call: |a| unsafe { gsmch_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GSMCH", call: |a| unsafe { gsmch_(a.among(1, 7), a.among(1, 2), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSMPK", call: |a| unsafe { gsmpk_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GSMPK", call: |a| unsafe { gsmpk_(a.among(1, 7), a.among(1, 2), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSMST", call: |a| unsafe { gsmst_(a.integer(), a.integer(), a.integer(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GSMST", call: |a| unsafe { gsmst_(a.among(1, 7), a.among(1, 2), a.output_integers(), a.output_characters(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GSMSTS", call: |a| unsafe { gsmsts_(a.integer(), a.integer(), a.integer(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GSMSTS", call: |a| unsafe { gsmsts_(a.among(1, 7), a.among(1, 2), a.output_integers(), a.output_characters(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GWAIT", call: |a| unsafe { gwait_(a.real(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GWAIT", call: |a| unsafe { gwait_(a.timeout(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GFLUSH", call: |a| unsafe { gflush_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GFLUSH", call: |a| unsafe { gflush_(a.among(1, 7), a.among(0, 7), a.among(1, 2)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GGTLC", call: |a| unsafe { ggtlc_(a.integer(), a.real(), a.real()) } },
+    Subroutine { name: "GGTLC", call: |a| unsafe { ggtlc_(a.output_integers(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GGTSK", call: |a| unsafe { ggtsk_(a.count(), a.count(), a.count(), a.reals(), a.reals()) } },
+    Subroutine { name: "GGTSK", call: |a| unsafe { ggtsk_(a.count(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GGTVL", call: |a| unsafe { ggtvl_(a.real()) } },
+    Subroutine { name: "GGTVL", call: |a| unsafe { ggtvl_(a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GGTCH", call: |a| unsafe { ggtch_(a.integer(), a.integer()) } },
+    Subroutine { name: "GGTCH", call: |a| unsafe { ggtch_(a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GGTPK", call: |a| unsafe { ggtpk_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GGTPK", call: |a| unsafe { ggtpk_(a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GGTST", call: |a| unsafe { ggtst_(a.integer(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GGTST", call: |a| unsafe { ggtst_(a.output_integers(), a.output_characters(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GGTSTS", call: |a| unsafe { ggtsts_(a.integer(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GGTSTS", call: |a| unsafe { ggtsts_(a.output_integers(), a.output_characters(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GWITM", call: |a| unsafe { gwitm_(a.count(), a.count(), a.count(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GWITM", call: |a| unsafe { gwitm_(a.among(1, 7), a.kept(0), a.kept(1), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GGTITM", call: |a| unsafe { ggtitm_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GGTITM", call: |a| unsafe { ggtitm_(a.among(1, 7), a.kept(0), a.kept(1)) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GRDITM", call: |a| unsafe { grditm_(a.count(), a.count(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GRDITM", call: |a| unsafe { grditm_(a.among(1, 7), a.count(), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GIITM", call: |a| unsafe { giitm_(a.count(), a.count(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GIITM", call: |a| unsafe { giitm_(a.kept(0), a.kept(1), a.count(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQOPS", call: |a| unsafe { gqops_(a.integer()) } },
+    Subroutine { name: "GQOPS", call: |a| unsafe { gqops_(a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQLVKS", call: |a| unsafe { gqlvks_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQLVKS", call: |a| unsafe { gqlvks_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQEWK", call: |a| unsafe { gqewk_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQEWK", call: |a| unsafe { gqewk_(a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQWKM", call: |a| unsafe { gqwkm_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQWKM", call: |a| unsafe { gqwkm_(a.indicator(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQMNTN", call: |a| unsafe { gqmntn_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQMNTN", call: |a| unsafe { gqmntn_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQOPWK", call: |a| unsafe { gqopwk_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQOPWK", call: |a| unsafe { gqopwk_(a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQACWK", call: |a| unsafe { gqacwk_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQACWK", call: |a| unsafe { gqacwk_(a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPLI", call: |a| unsafe { gqpli_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQPLI", call: |a| unsafe { gqpli_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPMI", call: |a| unsafe { gqpmi_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQPMI", call: |a| unsafe { gqpmi_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQTXI", call: |a| unsafe { gqtxi_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQTXI", call: |a| unsafe { gqtxi_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQCHH", call: |a| unsafe { gqchh_(a.integer(), a.real()) } },
+    Subroutine { name: "GQCHH", call: |a| unsafe { gqchh_(a.indicator(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQCHUP", call: |a| unsafe { gqchup_(a.integer(), a.real(), a.real()) } },
+    Subroutine { name: "GQCHUP", call: |a| unsafe { gqchup_(a.indicator(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQCHW", call: |a| unsafe { gqchw_(a.integer(), a.real()) } },
+    Subroutine { name: "GQCHW", call: |a| unsafe { gqchw_(a.indicator(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQCHB", call: |a| unsafe { gqchb_(a.integer(), a.real(), a.real()) } },
+    Subroutine { name: "GQCHB", call: |a| unsafe { gqchb_(a.indicator(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQTXP", call: |a| unsafe { gqtxp_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQTXP", call: |a| unsafe { gqtxp_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQTXAL", call: |a| unsafe { gqtxal_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQTXAL", call: |a| unsafe { gqtxal_(a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQFAI", call: |a| unsafe { gqfai_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQFAI", call: |a| unsafe { gqfai_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPA", call: |a| unsafe { gqpa_(a.integer(), a.real(), a.real(), a.real(), a.real()) } },
+    Subroutine { name: "GQPA", call: |a| unsafe { gqpa_(a.indicator(), a.output_reals(), a.output_reals(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPARF", call: |a| unsafe { gqparf_(a.integer(), a.real(), a.real()) } },
+    Subroutine { name: "GQPARF", call: |a| unsafe { gqparf_(a.indicator(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPKID", call: |a| unsafe { gqpkid_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQPKID", call: |a| unsafe { gqpkid_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQLN", call: |a| unsafe { gqln_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQLN", call: |a| unsafe { gqln_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQLWSC", call: |a| unsafe { gqlwsc_(a.integer(), a.real()) } },
+    Subroutine { name: "GQLWSC", call: |a| unsafe { gqlwsc_(a.indicator(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPLCI", call: |a| unsafe { gqplci_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQPLCI", call: |a| unsafe { gqplci_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQMK", call: |a| unsafe { gqmk_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQMK", call: |a| unsafe { gqmk_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQMKSC", call: |a| unsafe { gqmksc_(a.integer(), a.real()) } },
+    Subroutine { name: "GQMKSC", call: |a| unsafe { gqmksc_(a.indicator(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPMCI", call: |a| unsafe { gqpmci_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQPMCI", call: |a| unsafe { gqpmci_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQTXFP", call: |a| unsafe { gqtxfp_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQTXFP", call: |a| unsafe { gqtxfp_(a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQCHXP", call: |a| unsafe { gqchxp_(a.integer(), a.real()) } },
+    Subroutine { name: "GQCHXP", call: |a| unsafe { gqchxp_(a.indicator(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQCHSP", call: |a| unsafe { gqchsp_(a.integer(), a.real()) } },
+    Subroutine { name: "GQCHSP", call: |a| unsafe { gqchsp_(a.indicator(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQTXCI", call: |a| unsafe { gqtxci_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQTXCI", call: |a| unsafe { gqtxci_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQFAIS", call: |a| unsafe { gqfais_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQFAIS", call: |a| unsafe { gqfais_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQFASI", call: |a| unsafe { gqfasi_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQFASI", call: |a| unsafe { gqfasi_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQFACI", call: |a| unsafe { gqfaci_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQFACI", call: |a| unsafe { gqfaci_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQASF", call: |a| unsafe { gqasf_(a.count(), a.integers()) } },
+    Subroutine { name: "GQASF", call: |a| unsafe { gqasf_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQCNTN", call: |a| unsafe { gqcntn_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQCNTN", call: |a| unsafe { gqcntn_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQENTN", call: |a| unsafe { gqentn_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQENTN", call: |a| unsafe { gqentn_(a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQNT", call: |a| unsafe { gqnt_(a.count(), a.count(), a.reals(), a.reals()) } },
+    Subroutine { name: "GQNT", call: |a| unsafe { gqnt_(a.count(), a.indicator(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQCLIP", call: |a| unsafe { gqclip_(a.count(), a.count(), a.reals()) } },
+    Subroutine { name: "GQCLIP", call: |a| unsafe { gqclip_(a.indicator(), a.output_integers(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQOPSG", call: |a| unsafe { gqopsg_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQOPSG", call: |a| unsafe { gqopsg_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQSGUS", call: |a| unsafe { gqsgus_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQSGUS", call: |a| unsafe { gqsgus_(a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQSIM", call: |a| unsafe { gqsim_(a.integer(), a.integer()) } },
+    Subroutine { name: "GQSIM", call: |a| unsafe { gqsim_(a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQWKC", call: |a| unsafe { gqwkc_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQWKC", call: |a| unsafe { gqwkc_(a.among(1, 7), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQWKS", call: |a| unsafe { gqwks_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQWKS", call: |a| unsafe { gqwks_(a.among(1, 7), a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQWKDU", call: |a| unsafe { gqwkdu_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQWKDU", call: |a| unsafe { gqwkdu_(a.among(1, 7), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQEPLI", call: |a| unsafe { gqepli_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQEPLI", call: |a| unsafe { gqepli_(a.among(1, 7), a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPLR", call: |a| unsafe { gqplr_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.real(), a.integer()) } },
+    Subroutine { name: "GQPLR", call: |a| unsafe { gqplr_(a.among(1, 7), a.integer(), a.among(0, 2), a.indicator(), a.output_integers(), a.output_reals(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQEPMI", call: |a| unsafe { gqepmi_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQEPMI", call: |a| unsafe { gqepmi_(a.among(1, 7), a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPMR", call: |a| unsafe { gqpmr_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.real(), a.integer()) } },
+    Subroutine { name: "GQPMR", call: |a| unsafe { gqpmr_(a.among(1, 7), a.integer(), a.among(0, 2), a.indicator(), a.output_integers(), a.output_reals(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQETXI", call: |a| unsafe { gqetxi_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQETXI", call: |a| unsafe { gqetxi_(a.among(1, 7), a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQTXR", call: |a| unsafe { gqtxr_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.real(), a.real(), a.integer()) } },
+    Subroutine { name: "GQTXR", call: |a| unsafe { gqtxr_(a.among(1, 7), a.integer(), a.among(0, 2), a.indicator(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_reals(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQTXX", call: |a| unsafe { gqtxx_(a.count(), a.real(), a.real(), a.characters(), a.count(), a.real(), a.real(), a.reals(), a.reals(), Arguments::LENGTH) } },
+    Subroutine { name: "GQTXX", call: |a| unsafe { gqtxx_(a.among(1, 7), a.real(), a.real(), a.characters(), a.indicator(), a.output_reals(), a.output_reals(), a.output_reals(), a.output_reals(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQTXXS", call: |a| unsafe { gqtxxs_(a.count(), a.real(), a.real(), a.count(), a.characters(), a.count(), a.real(), a.real(), a.reals(), a.reals(), Arguments::LENGTH) } },
+    Subroutine { name: "GQTXXS", call: |a| unsafe { gqtxxs_(a.among(1, 7), a.real(), a.real(), a.count(), a.characters(), a.indicator(), a.output_reals(), a.output_reals(), a.output_reals(), a.output_reals(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQEFAI", call: |a| unsafe { gqefai_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQEFAI", call: |a| unsafe { gqefai_(a.among(1, 7), a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQFAR", call: |a| unsafe { gqfar_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQFAR", call: |a| unsafe { gqfar_(a.among(1, 7), a.integer(), a.among(0, 2), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQEPAI", call: |a| unsafe { gqepai_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQEPAI", call: |a| unsafe { gqepai_(a.among(1, 7), a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPAR", call: |a| unsafe { gqpar_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.integers()) } },
+    Subroutine { name: "GQPAR", call: |a| unsafe { gqpar_(a.among(1, 7), a.count(), a.among(0, 2), a.count(), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQECI", call: |a| unsafe { gqeci_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQECI", call: |a| unsafe { gqeci_(a.among(1, 7), a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQCR", call: |a| unsafe { gqcr_(a.integer(), a.integer(), a.integer(), a.integer(), a.real(), a.real(), a.real()) } },
+    Subroutine { name: "GQCR", call: |a| unsafe { gqcr_(a.among(1, 7), a.integer(), a.among(0, 2), a.indicator(), a.output_reals(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQWKT", call: |a| unsafe { gqwkt_(a.count(), a.count(), a.count(), a.reals(), a.reals(), a.reals(), a.reals()) } },
+    Subroutine { name: "GQWKT", call: |a| unsafe { gqwkt_(a.among(1, 7), a.indicator(), a.output_integers(), a.output_reals(), a.output_reals(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQSGWK", call: |a| unsafe { gqsgwk_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQSGWK", call: |a| unsafe { gqsgwk_(a.among(1, 7), a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQLCS", call: |a| unsafe { gqlcs_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.real(), a.real(), a.count(), a.reals(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GQLCS", call: |a| unsafe { gqlcs_(a.among(1, 7), a.among(1, 2), a.among(0, 2), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_reals(), a.output_integers(), a.output_reals(), a.output_integers(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQSKS", call: |a| unsafe { gqsks_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.reals(), a.reals(), a.count(), a.reals(), a.count(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GQSKS", call: |a| unsafe { gqsks_(a.among(1, 7), a.among(1, 2), a.among(0, 2), a.count(), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_reals(), a.output_integers(), a.output_reals(), a.output_integers(), a.output_integers(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQVLS", call: |a| unsafe { gqvls_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.real(), a.count(), a.reals(), a.real(), a.real(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GQVLS", call: |a| unsafe { gqvls_(a.among(1, 7), a.among(1, 2), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_integers(), a.output_reals(), a.output_reals(), a.output_reals(), a.output_integers(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQCHS", call: |a| unsafe { gqchs_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.reals(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GQCHS", call: |a| unsafe { gqchs_(a.among(1, 7), a.among(1, 2), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_integers(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPKS", call: |a| unsafe { gqpks_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.reals(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GQPKS", call: |a| unsafe { gqpks_(a.among(1, 7), a.among(1, 2), a.among(0, 2), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_integers(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQSTS", call: |a| unsafe { gqsts_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.characters(), a.count(), a.reals(), a.count(), a.count(), a.count(), a.characters(), Arguments::LENGTH, Arguments::LENGTH) } },
+    Subroutine { name: "GQSTS", call: |a| unsafe { gqsts_(a.among(1, 7), a.among(1, 2), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_characters(), a.output_integers(), a.output_reals(), a.output_integers(), a.output_integers(), a.output_integers(), a.record(), Arguments::LENGTH, Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQSTSS", call: |a| unsafe { gqstss_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.characters(), a.count(), a.reals(), a.count(), a.count(), a.count(), a.characters(), Arguments::LENGTH, Arguments::LENGTH) } },
+    Subroutine { name: "GQSTSS", call: |a| unsafe { gqstss_(a.among(1, 7), a.among(1, 2), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_characters(), a.output_integers(), a.output_reals(), a.output_integers(), a.output_integers(), a.output_integers(), a.record(), Arguments::LENGTH, Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQWKCA", call: |a| unsafe { gqwkca_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQWKCA", call: |a| unsafe { gqwkca_(a.workstation_type(), a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQWKCL", call: |a| unsafe { gqwkcl_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQWKCL", call: |a| unsafe { gqwkcl_(a.workstation_type(), a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQDSP", call: |a| unsafe { gqdsp_(a.integer(), a.integer(), a.integer(), a.real(), a.real(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQDSP", call: |a| unsafe { gqdsp_(a.workstation_type(), a.indicator(), a.output_integers(), a.output_reals(), a.output_reals(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQDWKA", call: |a| unsafe { gqdwka_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQDWKA", call: |a| unsafe { gqdwka_(a.workstation_type(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQDDS", call: |a| unsafe { gqdds_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQDDS", call: |a| unsafe { gqdds_(a.workstation_type(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPLF", call: |a| unsafe { gqplf_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.real(), a.real(), a.real(), a.integer()) } },
+    Subroutine { name: "GQPLF", call: |a| unsafe { gqplf_(a.workstation_type(), a.integer(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_reals(), a.output_reals(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPPLR", call: |a| unsafe { gqpplr_(a.integer(), a.integer(), a.integer(), a.integer(), a.real(), a.integer()) } },
+    Subroutine { name: "GQPPLR", call: |a| unsafe { gqpplr_(a.workstation_type(), a.integer(), a.indicator(), a.output_integers(), a.output_reals(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPMF", call: |a| unsafe { gqpmf_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.real(), a.real(), a.real(), a.integer()) } },
+    Subroutine { name: "GQPMF", call: |a| unsafe { gqpmf_(a.workstation_type(), a.integer(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_reals(), a.output_reals(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPPMR", call: |a| unsafe { gqppmr_(a.integer(), a.integer(), a.integer(), a.integer(), a.real(), a.integer()) } },
+    Subroutine { name: "GQPPMR", call: |a| unsafe { gqppmr_(a.workstation_type(), a.integer(), a.indicator(), a.output_integers(), a.output_reals(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQTXF", call: |a| unsafe { gqtxf_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.real(), a.real(), a.integer(), a.real(), a.real(), a.integer()) } },
+    Subroutine { name: "GQTXF", call: |a| unsafe { gqtxf_(a.workstation_type(), a.integer(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_reals(), a.output_integers(), a.output_reals(), a.output_reals(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPTXR", call: |a| unsafe { gqptxr_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.real(), a.real(), a.integer()) } },
+    Subroutine { name: "GQPTXR", call: |a| unsafe { gqptxr_(a.workstation_type(), a.integer(), a.indicator(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_reals(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQFAF", call: |a| unsafe { gqfaf_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQFAF", call: |a| unsafe { gqfaf_(a.workstation_type(), a.integer(), a.integer(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPFAR", call: |a| unsafe { gqpfar_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQPFAR", call: |a| unsafe { gqpfar_(a.workstation_type(), a.integer(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPAF", call: |a| unsafe { gqpaf_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQPAF", call: |a| unsafe { gqpaf_(a.workstation_type(), a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPPAR", call: |a| unsafe { gqppar_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.integers()) } },
+    Subroutine { name: "GQPPAR", call: |a| unsafe { gqppar_(a.workstation_type(), a.count(), a.count(), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQCF", call: |a| unsafe { gqcf_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQCF", call: |a| unsafe { gqcf_(a.workstation_type(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPCR", call: |a| unsafe { gqpcr_(a.integer(), a.integer(), a.integer(), a.real(), a.real(), a.real()) } },
+    Subroutine { name: "GQPCR", call: |a| unsafe { gqpcr_(a.workstation_type(), a.integer(), a.indicator(), a.output_reals(), a.output_reals(), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQEGDP", call: |a| unsafe { gqegdp_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQEGDP", call: |a| unsafe { gqegdp_(a.workstation_type(), a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQGDP", call: |a| unsafe { gqgdp_(a.count(), a.count(), a.count(), a.count(), a.integers()) } },
+    Subroutine { name: "GQGDP", call: |a| unsafe { gqgdp_(a.workstation_type(), a.count(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQLWK", call: |a| unsafe { gqlwk_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQLWK", call: |a| unsafe { gqlwk_(a.workstation_type(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQSGP", call: |a| unsafe { gqsgp_(a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQSGP", call: |a| unsafe { gqsgp_(a.workstation_type(), a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQDSGA", call: |a| unsafe { gqdsga_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQDSGA", call: |a| unsafe { gqdsga_(a.workstation_type(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQLI", call: |a| unsafe { gqli_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQLI", call: |a| unsafe { gqli_(a.workstation_type(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQDLC", call: |a| unsafe { gqdlc_(a.count(), a.count(), a.count(), a.count(), a.count(), a.real(), a.real(), a.count(), a.count(), a.reals(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GQDLC", call: |a| unsafe { gqdlc_(a.workstation_type(), a.among(1, 2), a.count(), a.count(), a.indicator(), a.output_reals(), a.output_reals(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_integers(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQDSK", call: |a| unsafe { gqdsk_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.reals(), a.count(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GQDSK", call: |a| unsafe { gqdsk_(a.workstation_type(), a.among(1, 2), a.count(), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_integers(), a.output_integers(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQDVL", call: |a| unsafe { gqdvl_(a.count(), a.count(), a.count(), a.count(), a.count(), a.real(), a.count(), a.count(), a.reals(), a.real(), a.real(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GQDVL", call: |a| unsafe { gqdvl_(a.workstation_type(), a.among(1, 2), a.count(), a.count(), a.indicator(), a.output_reals(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_reals(), a.output_reals(), a.output_integers(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQDCH", call: |a| unsafe { gqdch_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.reals(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GQDCH", call: |a| unsafe { gqdch_(a.workstation_type(), a.among(1, 2), a.count(), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_integers(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQDPK", call: |a| unsafe { gqdpk_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.reals(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GQDPK", call: |a| unsafe { gqdpk_(a.workstation_type(), a.among(1, 2), a.count(), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_integers(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQDST", call: |a| unsafe { gqdst_(a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.reals(), a.count(), a.count(), a.characters(), Arguments::LENGTH) } },
+    Subroutine { name: "GQDST", call: |a| unsafe { gqdst_(a.workstation_type(), a.among(1, 2), a.count(), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_integers(), a.output_integers(), a.record(), Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQASWK", call: |a| unsafe { gqaswk_(a.integer(), a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQASWK", call: |a| unsafe { gqaswk_(a.among(1, 4), a.integer(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQSGA", call: |a| unsafe { gqsga_(a.count(), a.count(), a.reals(), a.count(), a.count(), a.real(), a.count()) } },
+    Subroutine { name: "GQSGA", call: |a| unsafe { gqsga_(a.among(1, 4), a.indicator(), a.output_reals(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPXAD", call: |a| unsafe { gqpxad_(a.integer(), a.real(), a.real(), a.real(), a.real(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQPXAD", call: |a| unsafe { gqpxad_(a.among(1, 7), a.real(), a.real(), a.real(), a.real(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPXA", call: |a| unsafe { gqpxa_(a.count(), a.real(), a.real(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.integers()) } },
+    Subroutine { name: "GQPXA", call: |a| unsafe { gqpxa_(a.among(1, 7), a.real(), a.real(), a.count(), a.count(), a.count(), a.count(), a.count(), a.count(), a.indicator(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQPX", call: |a| unsafe { gqpx_(a.integer(), a.real(), a.real(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQPX", call: |a| unsafe { gqpx_(a.among(1, 7), a.real(), a.real(), a.indicator(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GQIQOV", call: |a| unsafe { gqiqov_(a.integer(), a.integer(), a.integer(), a.integer()) } },
+    Subroutine { name: "GQIQOV", call: |a| unsafe { gqiqov_(a.indicator(), a.output_integers(), a.output_integers(), a.output_integers()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GEVTM", call: |a| unsafe { gevtm_(a.real(), a.real(), a.real(), a.real(), a.real(), a.real(), a.real(), a.count(), a.reals()) } },
+    Subroutine { name: "GEVTM", call: |a| unsafe { gevtm_(a.real(), a.real(), a.real(), a.real(), a.real(), a.real(), a.real(), a.among(0, 2), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GACTM", call: |a| unsafe { gactm_(a.reals(), a.real(), a.real(), a.real(), a.real(), a.real(), a.real(), a.real(), a.count(), a.reals()) } },
+    Subroutine { name: "GACTM", call: |a| unsafe { gactm_(a.reals(), a.real(), a.real(), a.real(), a.real(), a.real(), a.real(), a.real(), a.among(0, 2), a.output_reals()) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
     Subroutine { name: "GECLKS", call: |_| unsafe { geclks_() } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GPREC", call: |a| unsafe { gprec_(a.count(), a.integers(), a.count(), a.reals(), a.count(), a.integers(), a.characters(), a.count(), a.count(), a.count(), a.characters(), Arguments::LENGTH, Arguments::LENGTH) } },
+    Subroutine { name: "GPREC", call: |a| unsafe { gprec_(a.count(), a.integers(), a.count(), a.reals(), a.count(), a.integers(), a.characters(), a.count(), a.indicator(), a.output_integers(), a.record(), Arguments::LENGTH, Arguments::LENGTH) } },
     // SAFETY: every argument has the type and at least the size that the subroutine asks for.
-    Subroutine { name: "GUREC", call: |a| unsafe { gurec_(a.count(), a.characters(), a.count(), a.count(), a.count(), a.count(), a.count(), a.integers(), a.count(), a.reals(), a.count(), a.integers(), a.characters(), Arguments::LENGTH, Arguments::LENGTH) } },
+    Subroutine { name: "GUREC", call: |a| unsafe { gurec_(a.count(), a.record(), a.count(), a.count(), a.count(), a.indicator(), a.output_integers(), a.output_integers(), a.output_integers(), a.output_reals(), a.output_integers(), a.output_integers(), a.output_characters(), Arguments::LENGTH, Arguments::LENGTH) } },
 ];

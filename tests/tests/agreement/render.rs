@@ -337,7 +337,9 @@ impl Limited {
         };
         let mut mark = mark.clone();
         match &mut mark.form {
-            Form::Lines(_, pen) | Form::Stroke(_, pen) => pen.paint = one(&pen.paint),
+            Form::Lines(_, pen) | Form::LongLine(_, pen) | Form::Stroke(_, pen) => {
+                pen.paint = one(&pen.paint);
+            }
             Form::Area(_, _, Fill::Solid(paint)) | Form::Filled(_, paint) => *paint = one(paint),
             Form::Area(_, _, Fill::Pattern(_, grid)) | Form::Cells(_, grid) => grid.paints = &paints,
             Form::Markers(_, style) => style.paint = one(&style.paint),

@@ -83,7 +83,7 @@ fn segment_storage_is_neither_replaced_nor_chosen() {
 #[test]
 fn dialects_have_numbers_of_their_own() {
     let ncar = ("GKS_DIALECT", "ncar");
-    assert_eq!(becomes(&[ncar], 1, "2"), "png gks.2.png");
+    assert_eq!(becomes(&[ncar], 1, "gmeta"), "ncgm gmeta");
     assert_eq!(becomes(&[ncar], 8, ""), "png gks.png");
     assert_eq!(becomes(&[ncar], 12, "2"), "pdf gks.2.pdf");
     assert_eq!(becomes(&[ncar], 21, "2"), "eps gks.2.eps");
@@ -96,7 +96,7 @@ fn dialects_have_numbers_of_their_own() {
     assert_eq!(becomes(&[ncar, svg], 12, "2"), "svg gks.2.svg");
     assert_eq!(becomes(&[ncar, svg], 3, ""), "wiss ");
     assert_eq!(becomes(&[ncar, ("GKS_WSTYPE", "20")], 1, "2"), "ps gks.2.ps");
-    assert_eq!(becomes(&[ncar, ("GKS_WSTYPE", "1")], 8, "2"), "png gks.2.png");
+    assert_eq!(becomes(&[ncar, ("GKS_WSTYPE", "1")], 8, "2"), "ncgm gks.2.ncgm");
     assert_eq!(becomes(&[("GKS_DIALECT", "gr")], 101, "2"), "pdf gks.2.pdf");
     assert_eq!(becomes(&[("GKS_DIALECT", "gr")], 110, "2"), "png8 gks.2.png");
 }

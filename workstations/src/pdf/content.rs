@@ -7,8 +7,9 @@
 
 use super::state::{State, Use};
 use crate::arc;
-use crate::number::Decimal;
-use gks_geometry::{Du, Paths, Rect};
+use crate::number::{Decimal, Word};
+use crate::route::{Route, Track};
+use gks_geometry::{Du, Paths, Pieces, Rect};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::device::{DeviceError, Pen, Rule};
 use gks_pipeline::item::{Closure, Curve, Parallelogram};
@@ -17,7 +18,7 @@ use glam::DVec2;
 use std::collections::BTreeSet;
 
 /// Positions are counted in hundredths of a point, whatever the language.
-pub(super) const STEPS: Decimal = Decimal::new(2);
+pub(crate) const STEPS: Decimal = Decimal::new(2);
 
 /// Widths and lengths of dashes are counted in thousandths of a point.
 pub(super) const LENGTHS: Decimal = Decimal::new(3);
@@ -27,6 +28,12 @@ const DIRECTIONS: Decimal = Decimal::new(4);
 
 /// How far the Bezier curves of an ellipse may lie off, in points.
 const ARC_TOLERANCE: f64 = 0.005;
+
+/// The most lines that one operator of our PostScript draws; interpreters hold 500 operands at least.
+const RUN: usize = 128;
+
+/// How many displacements stand on a line of PostScript, which should have no more than 255 characters.
+const ROW: usize = 8;
 
 /// The language of a page description.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -49,6 +56,8 @@ pub(crate) struct Content {
     /// How positions, lengths and directions are written; their counts do not depend on the language.
     pub(super) formats: [Decimal; 3],
     pub(super) text: Vec<u8>,
+    /// Displacements of lines that wait to be written together.
+    run: Vec<[i64; 2]>,
     limit: usize,
     pub(super) state: State,
     /// The state outside of the clipping rectangle, which comes back with it.
@@ -68,6 +77,7 @@ impl Content {
             language,
             formats,
             text: Vec::new(),
+            run: Vec::new(),
             limit,
             state: State::new(),
             outside: State::new(),
@@ -116,29 +126,20 @@ impl Content {
     /// Draws lines along paths.
     pub(crate) fn lines(
         &mut self,
-        paths: Paths<'_, Du>,
+        paths: &impl Pieces,
         pen: &Pen<'_>,
+        route: &mut Route,
         drain: &mut impl Drain,
     ) -> Result<(), DeviceError> {
-        let (mut lines, mut dots) = (false, false);
-        for path in paths.iter().filter(|path| !path.is_empty()) {
-            if is_dot(path) {
-                dots = true;
-                continue;
-            }
-            if !lines {
-                self.pen(pen);
-                lines = true;
-            }
-            self.path(path, drain)?;
-        }
-        if lines {
+        let mut strokes = Strokes { content: self, drain, pen: Some(pen), begun: false };
+        route.lines(paths, &mut strokes)?;
+        if strokes.begun {
             self.text.extend_from_slice(b"S\n");
         }
-        if dots {
+        if !route.dots.is_empty() {
             self.pen(&Pen { dash: &[], cap: Cap::Round, ..*pen });
-            for path in paths.iter().filter(|path| !path.is_empty() && is_dot(path)) {
-                self.dot(steps(path[0]));
+            for dot in &route.dots {
+                self.dot(*dot);
                 self.relieve(drain)?;
             }
             self.text.extend_from_slice(b"S\n");
@@ -152,15 +153,13 @@ impl Content {
         rings: Paths<'_, Du>,
         rule: Rule,
         colour: Colour,
+        route: &mut Route,
         drain: &mut impl Drain,
     ) -> Result<(), DeviceError> {
         self.colour(Use::Areas, colour);
-        let mut drawn = false;
-        for ring in rings.iter().filter(|ring| !ring.is_empty() && !is_dot(ring)) {
-            self.path(ring, drain)?;
-            drawn = true;
-        }
-        if drawn {
+        let mut strokes = Strokes { content: self, drain, pen: None, begun: false };
+        route.rings(rings.iter(), &mut strokes)?;
+        if strokes.begun {
             self.fill(rule);
         }
         Ok(())
@@ -232,32 +231,8 @@ impl Content {
         self.text.extend_from_slice(b"re\n");
     }
 
-    /// Appends a path that is no dot; points that fall upon their predecessor are left out. A path that ends
-    /// where it started is closed.
-    fn path(&mut self, path: &[DVec2], drain: &mut impl Drain) -> Result<(), DeviceError> {
-        let closed = path.len() > 3 && path.first() == path.last();
-        let end = path.len() - usize::from(closed);
-        let mut last = steps(path[0]);
-        self.position(last);
-        self.text.extend_from_slice(b"m\n");
-        for &point in &path[1..end] {
-            let next = steps(point);
-            if next == last {
-                continue;
-            }
-            self.line(last, next);
-            last = next;
-            self.relieve(drain)?;
-        }
-        if closed {
-            self.text.extend_from_slice(b"h\n");
-        }
-        Ok(())
-    }
-
     fn dot(&mut self, at: [i64; 2]) {
-        self.position(at);
-        self.text.extend_from_slice(b"m\n");
+        self.point(at, b'm');
         self.line(at, at);
     }
 
@@ -299,8 +274,7 @@ impl Content {
                 continue;
             }
             if !drawn {
-                self.position(start);
-                self.text.extend_from_slice(b"m\n");
+                self.point(start, b'm');
                 drawn = true;
             }
             for point in [a, b, c] {
@@ -315,13 +289,42 @@ impl Content {
 
     #[inline]
     fn line(&mut self, from: [i64; 2], to: [i64; 2]) {
-        if self.language == Language::PostScript {
-            self.position([to[0] - from[0], to[1] - from[1]]);
-            self.text.extend_from_slice(b"r\n");
-        } else {
-            self.position(to);
-            self.text.extend_from_slice(b"l\n");
+        match self.language {
+            Language::Pdf => self.point(to, b'l'),
+            Language::PostScript => self.point([to[0] - from[0], to[1] - from[1]], b'r'),
         }
+    }
+
+    /// A line as one of many: in PostScript it waits for those that follow.
+    #[inline]
+    fn next_line(&mut self, from: [i64; 2], to: [i64; 2]) {
+        if self.language == Language::Pdf {
+            return self.point(to, b'l');
+        }
+        self.run.push([to[0] - from[0], to[1] - from[1]]);
+        if self.run.len() == RUN {
+            self.end_run();
+        }
+    }
+
+    /// Writes the lines that wait: the displacements from the last one to the first, so that the first one is on top of
+    /// the stack, and their number.
+    fn end_run(&mut self) {
+        let run = std::mem::take(&mut self.run);
+        match run[..] {
+            [] => {}
+            [only] => self.point(only, b'r'),
+            _ => {
+                for (i, &[x, y]) in run.iter().enumerate().rev() {
+                    self.number(0, x);
+                    self.ended(0, y, if i % ROW == 0 { b"\n" } else { b" " });
+                }
+                Decimal::new(0).write(&mut self.text, run.len() as f64);
+                self.text.extend_from_slice(b" L\n");
+            }
+        }
+        self.run = run;
+        self.run.clear();
     }
 
     #[inline]
@@ -330,10 +333,66 @@ impl Content {
         self.number(0, y);
     }
 
+    /// Writes a position and an operator of one letter.
+    #[inline]
+    fn point(&mut self, [x, y]: [i64; 2], operator: u8) {
+        self.number(0, x);
+        self.ended(0, y, &[b' ', operator, b'\n']);
+    }
+
     #[inline]
     pub(super) fn number(&mut self, format: usize, count: i64) {
-        self.formats[format].write_steps(&mut self.text, count);
-        self.text.push(b' ');
+        self.ended(format, count, b" ");
+    }
+
+    /// Writes a number and a few characters.
+    #[inline]
+    fn ended<const N: usize>(&mut self, format: usize, count: i64, end: &[u8; N]) {
+        match Word::EMPTY.number(self.formats[format], count) {
+            Some(word) => {
+                end.iter().fold(word, |word, &character| word.then(character)).write(&mut self.text);
+            }
+            None => {
+                self.formats[format].write_steps(&mut self.text, count);
+                self.text.extend_from_slice(end);
+            }
+        }
+    }
+}
+
+/// Paths that are stroked or, without a pen, filled.
+struct Strokes<'c, 'p, D> {
+    content: &'c mut Content,
+    drain: &'c mut D,
+    pen: Option<&'c Pen<'p>>,
+    begun: bool,
+}
+
+impl<D: Drain> Track for Strokes<'_, '_, D> {
+    fn start(&mut self, at: [i64; 2]) -> Result<(), DeviceError> {
+        if !self.begun {
+            self.begun = true;
+            if let Some(pen) = self.pen {
+                self.content.pen(pen);
+            }
+        }
+        self.content.point(at, b'm');
+        Ok(())
+    }
+
+    #[inline]
+    fn line(&mut self, from: [i64; 2], to: [i64; 2]) -> Result<(), DeviceError> {
+        self.content.next_line(from, to);
+        self.content.relieve(self.drain)
+    }
+
+    /// Filling closes paths by itself.
+    fn finish(&mut self, closed: bool) -> Result<(), DeviceError> {
+        self.content.end_run();
+        if closed && self.pen.is_some() {
+            self.content.text.extend_from_slice(b"h\n");
+        }
+        Ok(())
     }
 }
 
@@ -341,12 +400,6 @@ impl Content {
 #[inline]
 fn steps(point: DVec2) -> [i64; 2] {
     [STEPS.steps(point.x), STEPS.steps(point.y)]
-}
-
-/// Whether all points of a path fall upon one position.
-fn is_dot(path: &[DVec2]) -> bool {
-    let first = steps(path[0]);
-    path[1..].iter().all(|&point| steps(point) == first)
 }
 
 fn first(curve: &Curve<'_, Du>) -> Option<DVec2> {
@@ -381,6 +434,10 @@ mod tests {
         Pen { paint, width, dash, cap: Cap::Butt, join: Join::Miter }
     }
 
+    fn exact() -> Route {
+        Route::new(STEPS, 0.0)
+    }
+
     fn written(language: Language, draw: impl FnOnce(&mut Content, &mut Tub)) -> String {
         let (mut content, mut tub) = (Content::new(language, 1 << 16), Tub::default());
         content.begin();
@@ -395,7 +452,7 @@ mod tests {
     #[test]
     fn state_is_written_when_it_changes() {
         let line = |content: &mut Content, tub: &mut Tub, pen: &Pen<'_>| {
-            content.lines(Paths::new(&BEND, &[4]), pen, tub).unwrap();
+            content.lines(&Paths::<Du>::new(&BEND, &[4]), pen, &mut exact(), tub).unwrap();
         };
         let text = written(Language::Pdf, |content, tub| {
             line(content, tub, &pen(0.5, &[]));
@@ -411,12 +468,14 @@ mod tests {
     #[test]
     fn postscript_counts_in_hundredths_with_one_colour() {
         let text = written(Language::PostScript, |content, tub| {
-            content.lines(Paths::new(&BEND, &[4]), &pen(0.595, &[1.0, 2.0]), tub).unwrap();
+            content
+                .lines(&Paths::<Du>::new(&BEND, &[4]), &pen(0.595, &[1.0, 2.0]), &mut exact(), tub)
+                .unwrap();
             let colour = Colour { alpha: 0.5, ..Colour::rgb(1.0, 0.0, 0.5) };
-            content.area(Paths::new(&BEND, &[4]), Rule::EvenOdd, colour, tub).unwrap();
-            content.area(Paths::new(&BEND, &[4]), Rule::NonZero, Colour::BLACK, tub).unwrap();
+            content.area(Paths::new(&BEND, &[4]), Rule::EvenOdd, colour, &mut exact(), tub).unwrap();
+            content.area(Paths::new(&BEND, &[4]), Rule::NonZero, Colour::BLACK, &mut exact(), tub).unwrap();
         });
-        let path = "100 200 m,250 0 r,0 -225 r,";
+        let path = "100 200 m,0 -225 250 0,2 L,";
         assert_eq!(text, format!("1 0 .5 rg,59.5 w,[100 200] 0 d,{path}S,{path}f*,0 g,{path}f,"));
     }
 
@@ -425,7 +484,9 @@ mod tests {
         let rect = Rect::new(0.0, 10.0, 5.0, 7.5);
         let text = written(Language::Pdf, |content, tub| {
             let mut line = |content: &mut Content, width| {
-                content.lines(Paths::new(&BEND[2..], &[2]), &pen(width, &[]), tub).unwrap();
+                content
+                    .lines(&Paths::<Du>::new(&BEND[2..], &[2]), &pen(width, &[]), &mut exact(), tub)
+                    .unwrap();
             };
             line(content, 1.0);
             content.clip(Some(&rect));
@@ -445,8 +506,10 @@ mod tests {
     fn paths_that_shrink_to_a_position_are_round_dots() {
         let points = [DVec2::new(5.0, 5.0), DVec2::new(6.0, 6.0), DVec2::new(6.002, 6.0)];
         let text = written(Language::Pdf, |content, tub| {
-            content.lines(Paths::new(&points, &[1, 3]), &pen(2.0, &[1.0]), tub).unwrap();
-            content.area(Paths::new(&points, &[1, 3]), Rule::EvenOdd, Colour::BLACK, tub).unwrap();
+            content.lines(&Paths::<Du>::new(&points, &[1, 3]), &pen(2.0, &[1.0]), &mut exact(), tub).unwrap();
+            content
+                .area(Paths::new(&points, &[1, 3]), Rule::EvenOdd, Colour::BLACK, &mut exact(), tub)
+                .unwrap();
         });
         assert_eq!(text, "1 0 .5 RG,2 w,1 J,5 5 m,5 5 l,6 6 m,6 6 l,S,0 g,");
     }
@@ -455,9 +518,9 @@ mod tests {
     fn lines_that_come_back_are_closed() {
         let square = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::ZERO];
         let text = written(Language::Pdf, |content, tub| {
-            content.lines(Paths::new(&square, &[4]), &pen(1.0, &[]), tub).unwrap();
+            content.lines(&Paths::<Du>::new(&square, &[4]), &pen(1.0, &[]), &mut exact(), tub).unwrap();
             let back = [DVec2::ZERO, DVec2::X, DVec2::ZERO];
-            content.lines(Paths::new(&back, &[3]), &pen(1.0, &[]), tub).unwrap();
+            content.lines(&Paths::<Du>::new(&back, &[3]), &pen(1.0, &[]), &mut exact(), tub).unwrap();
         });
         assert_eq!(text, "1 0 .5 RG,1 w,0 0 m,1 0 l,1 1 l,h,S,0 0 m,1 0 l,0 0 l,S,");
     }
@@ -497,7 +560,7 @@ mod tests {
         content.begin();
         for alpha in [1.0, 0.5, 0.5, 1.0] {
             let colour = Colour { alpha, ..Colour::BLACK };
-            content.area(Paths::new(&BEND, &[4]), Rule::NonZero, colour, &mut tub).unwrap();
+            content.area(Paths::new(&BEND, &[4]), Rule::NonZero, colour, &mut exact(), &mut tub).unwrap();
         }
         let names: Vec<u8> = content.opacities().iter().copied().collect();
         assert_eq!(names, [128, 255]);
@@ -512,7 +575,7 @@ mod tests {
             (0..50_000).map(|i| DVec2::new(f64::from(i % 500), f64::from(i % 7))).collect();
         let (mut content, mut tub) = (Content::new(Language::Pdf, 1 << 10), Tub::default());
         content.begin();
-        content.lines(Paths::new(&zigzag, &[50_000]), &pen(1.0, &[]), &mut tub).unwrap();
+        content.lines(&Paths::<Du>::new(&zigzag, &[50_000]), &pen(1.0, &[]), &mut exact(), &mut tub).unwrap();
         assert!(tub.1 > 200, "drained {} times", tub.1);
         assert!(content.text.capacity() < 1 << 12, "{} bytes kept", content.text.capacity());
     }

@@ -32,14 +32,14 @@ pub(crate) struct Document {
 }
 
 impl Document {
-    /// A document that is not begun yet.
-    pub(crate) fn new(sink: Box<dyn Sink>) -> Self {
+    /// A document that is not begun yet, whose long streams are deflated thoroughly if it is to be `small`.
+    pub(crate) fn new(sink: Box<dyn Sink>, small: bool) -> Self {
         Document {
             sink,
             position: 0,
             offsets: Vec::new(),
             stream: None,
-            deflate: Deflate::new(),
+            deflate: Deflate::new(small),
             contents: Vec::new(),
         }
     }

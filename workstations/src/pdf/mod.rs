@@ -16,6 +16,7 @@ mod state;
 
 use crate::options::Options;
 use crate::paper;
+use crate::route::Route;
 use content::{Content, Language};
 use document::Document;
 use font::Fonts;
@@ -32,6 +33,7 @@ pub struct Pdf {
     surface: Surface,
     options: Options,
     content: Content,
+    route: Route,
     document: Document,
     catalog: Option<(Ref, Ref)>,
     pages: Vec<Ref>,
@@ -53,7 +55,8 @@ impl Pdf {
             surface: paper::surface(options),
             options: options.clone(),
             content: Content::new(Language::Pdf, PIECE),
-            document: Document::new(sink),
+            route: Route::new(content::STEPS, options.tolerance(&paper::surface(options))),
+            document: Document::new(sink, options.small),
             catalog: None,
             pages: Vec::new(),
             images: Vec::new(),
@@ -95,18 +98,19 @@ impl Device for Pdf {
     }
 
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
-        let Pdf { content, document, .. } = self;
+        let Pdf { content, document, route, .. } = self;
         match &mark.form {
             Form::Markers(..) | Form::Area(_, _, Fill::Pattern(..)) => return Ok(Drawn::No),
             Form::Text(run) if self.options.outlines || run.face.glyphs() == 0 => return Ok(Drawn::No),
             _ => content.clip(mark.clip.as_ref()),
         }
         match &mark.form {
-            Form::Lines(paths, pen) => content.lines(*paths, pen, document)?,
+            Form::Lines(paths, pen) => content.lines(paths, pen, route, document)?,
+            Form::LongLine(line, pen) => content.lines(line, pen, route, document)?,
             Form::Stroke(curve, pen) => content.stroke(curve, pen, document)?,
             Form::Filled(curve, paint) => content.filled(curve, paint.colour, document)?,
             Form::Area(rings, rule, Fill::Solid(paint)) => {
-                content.area(*rings, *rule, paint.colour, document)?;
+                content.area(*rings, *rule, paint.colour, route, document)?;
             }
             Form::Cells(place, grid) => image::draw(place, *grid, content, document, &mut self.images)?,
             Form::Text(run) => {

@@ -2,12 +2,13 @@
 
 use crate::arc;
 use crate::pdf::sfnt;
-use gks_geometry::{Du, Paths, Point, Rect};
+use gks_geometry::{Du, LongLine, Paths, Piece, Pieces, Point, Rect};
 use gks_pipeline::device::{Form, GlyphRun, Mark, Pen};
 use gks_pipeline::font::Verb;
 use gks_pipeline::item::{Closure, Curve};
 use gks_pipeline::look::{Cap, Join};
 use glam::DVec2;
+use std::convert::Infallible;
 use std::fmt;
 
 /// How much longer than the linewidth the tip of a corner may be.
@@ -55,7 +56,8 @@ impl Bounds {
     fn form(&mut self, form: &Form<'_>) {
         match form {
             Form::Lines(paths, pen) => self.lines(*paths, pen),
-            Form::Area(rings, ..) => rings.points.iter().for_each(|p| self.point(*p)),
+            Form::LongLine(line, pen) => self.long_line(line, pen),
+            Form::Area(rings, ..) => self.points(rings.points),
             Form::Markers(positions, style) => {
                 positions.iter().for_each(|p| self.disc(*p, (style.size + style.width) * 0.5));
             }
@@ -81,6 +83,17 @@ impl Bounds {
         });
     }
 
+    fn points(&mut self, points: &[DVec2]) {
+        let Some(&first) = points.first() else { return };
+        let (low, high) = points.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)));
+        if low.is_finite() && high.is_finite() {
+            self.point(low);
+            self.point(high);
+        } else {
+            points.iter().for_each(|p| self.point(*p));
+        }
+    }
+
     fn disc(&mut self, centre: DVec2, radius: f64) {
         self.point(centre - DVec2::splat(radius));
         self.point(centre + DVec2::splat(radius));
@@ -91,20 +104,64 @@ impl Bounds {
     /// The points themselves are taken in first. What is drawn around a point reaches only so far that most
     /// points, well inside of the box by then, need not be looked at.
     fn lines(&mut self, paths: Paths<'_, Du>, pen: &Pen<'_>) {
-        paths.points.iter().for_each(|p| self.point(*p));
+        self.points(paths.points);
         for path in paths.iter() {
             self.path(path, pen);
         }
     }
 
+    /// Takes in a long line: pieces overlap by two points, so that every corner is in one of them, and what is
+    /// at the ends of the line comes in addition.
+    fn long_line(&mut self, line: &LongLine<'_, Du>, pen: &Pen<'_>) {
+        if let Some(bounds) = line.bounds() {
+            self.rect(&bounds);
+        }
+        let half = pen.width.max(0.0) * 0.5;
+        let inner = Pen { cap: Cap::Butt, ..*pen };
+        let direction = |from: DVec2, to: &mut dyn Iterator<Item = &DVec2>| {
+            to.map(|q| *q - from).find_map(DVec2::try_normalize)
+        };
+        let mut held: Vec<DVec2> = Vec::new();
+        let mut start = (DVec2::ZERO, None);
+        let done = line.pieces::<Infallible>(|Piece { points, starts, ends }| {
+            let kept = if starts { 0 } else { held.len().min(2) };
+            held.drain(..held.len() - kept);
+            held.extend_from_slice(points);
+            self.path(&held, &inner);
+            if starts {
+                start = (held[0], direction(held[0], &mut held.iter()));
+            }
+            if ends {
+                let last = held[held.len() - 1];
+                match (start, direction(last, &mut held.iter().rev())) {
+                    ((first, Some(along)), Some(back)) if first == last => {
+                        self.corner(last, -back, along, pen.join, half);
+                    }
+                    ((first, along), back) => {
+                        along.iter().for_each(|along| self.end(first, -*along, pen.cap, half));
+                        back.iter().for_each(|back| self.end(last, -*back, pen.cap, half));
+                    }
+                }
+            }
+            Ok(())
+        });
+        let Ok(()) = done;
+    }
+
     fn path(&mut self, path: &[DVec2], pen: &Pen<'_>) {
         let half = pen.width.max(0.0) * 0.5;
         let reach = half * if pen.join == Join::Miter { MITER_LIMIT } else { std::f64::consts::SQRT_2 };
+        let mut known = None;
+        let mut safe = None;
         let closed = path.len() > 3 && path.first() == path.last();
         let path = if closed { &path[1..] } else { path };
         for (i, &p) in path.iter().enumerate() {
-            let inside = |known: Rect<Du>| known.grown(-reach).contains(Point::from_vec(p));
-            if self.0.is_some_and(inside) || (i > 0 && path[i - 1] == p) {
+            if known != self.0 {
+                known = self.0;
+                safe = known.map(|known| known.grown(-reach));
+            }
+            let inside = safe.is_some_and(|safe| safe.contains(Point::from_vec(p)));
+            if inside || (i > 0 && path[i - 1] == p) {
                 continue;
             }
             let around = if closed { path } else { &[] };

@@ -18,8 +18,9 @@ mod prolog;
 use crate::deflate::Deflate;
 use crate::options::Options;
 use crate::paper;
-use crate::pdf::content::{Content, Language};
+use crate::pdf::content::{Content, Language, STEPS};
 use crate::pdf::image::{Opacity, Samples};
+use crate::route::Route;
 use document::{Document, Kind};
 use gks_geometry::Du;
 use gks_pipeline::description::Description;
@@ -35,6 +36,7 @@ pub struct PostScript {
     options: Options,
     kind: Kind,
     content: Content,
+    route: Route,
     document: Document,
     deflate: Deflate,
 }
@@ -58,13 +60,15 @@ impl PostScript {
     fn of_kind(sink: Box<dyn Sink>, options: &Options, kind: Kind) -> Self {
         let surface = paper::surface(options);
         let size = (surface.width, surface.height);
+        let route = Route::new(STEPS, options.tolerance(&surface));
         PostScript {
             surface,
             options: options.clone(),
             kind,
             content: Content::new(Language::PostScript, HELD),
+            route,
             document: Document::new(sink, kind, size),
-            deflate: Deflate::new(),
+            deflate: Deflate::new(options.small),
         }
     }
 
@@ -124,21 +128,22 @@ impl Device for PostScript {
             Form::Markers(..) | Form::Area(_, _, Fill::Pattern(..)) => return Ok(Drawn::No),
             Form::Text(run) if self.options.outlines || run.face.glyphs() == 0 => return Ok(Drawn::No),
             Form::Cells(place, grid) => return self.cells(mark, place, *grid),
-            Form::Lines(_, pen) | Form::Stroke(_, pen) => pen.paint.colour,
+            Form::Lines(_, pen) | Form::LongLine(_, pen) | Form::Stroke(_, pen) => pen.paint.colour,
             Form::Area(_, _, Fill::Solid(paint)) | Form::Filled(_, paint) => paint.colour,
             Form::Text(run) => run.paint.colour,
         };
         if colour.to_bytes()[3] == 0 {
             return Ok(Drawn::Yes);
         }
-        let PostScript { content, document, .. } = self;
+        let PostScript { content, document, route, .. } = self;
         document.bounds.mark(mark);
         content.clip(mark.clip.as_ref());
         match &mark.form {
-            Form::Lines(paths, pen) => content.lines(*paths, pen, document)?,
+            Form::Lines(paths, pen) => content.lines(paths, pen, route, document)?,
+            Form::LongLine(line, pen) => content.lines(line, pen, route, document)?,
             Form::Stroke(curve, pen) => content.stroke(curve, pen, document)?,
             Form::Filled(curve, _) => content.filled(curve, colour, document)?,
-            Form::Area(rings, rule, _) => content.area(*rings, *rule, colour, document)?,
+            Form::Area(rings, rule, _) => content.area(*rings, *rule, colour, route, document)?,
             Form::Text(run) => document.fonts.draw(run, content),
             Form::Cells(..) | Form::Markers(..) => return Ok(Drawn::No),
         }

@@ -3,7 +3,7 @@
 /// The prolog, with the comments that enclose it. The page descriptions that follow count in hundredths of a
 /// point.
 ///
-/// Beside PDF's names: `r` draws a relative line, `T` starts a line of characters in a coordinate system,
+/// Beside PDF's names: `r` draws a relative line, `L` as many as it is told, `T` starts a line of characters in a coordinate system,
 /// `y` sets its font, `s` shows characters, `k` moves by ten-thousandths of an em, and `I` draws an image
 /// whose samples follow in the file. `I` reads up to the end of the samples even where the deflated stream
 /// ends earlier.
@@ -13,7 +13,7 @@ pub(crate) const PROLOG: &str = "\
 /GKS 40 dict def GKS begin
 /bd{bind def}bind def
 /q{gsave}bd/Q{grestore}bd
-/m{moveto}bd/l{lineto}bd/r{rlineto}bd/c{curveto}bd/h{closepath}bd
+/m{moveto}bd/l{lineto}bd/r{rlineto}bd/L{{rlineto}repeat}bd/c{curveto}bd/h{closepath}bd
 /S{stroke}bd/f{fill}bd/f*{eofill}bd/W{clip}bd/n{newpath}bd
 /w{setlinewidth}bd/J{setlinecap}bd/j{setlinejoin}bd/d{setdash}bd
 /g{setgray}bd/rg{setrgbcolor}bd

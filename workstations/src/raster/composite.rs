@@ -1,29 +1,32 @@
 //! Blending of colours into pixels by T. Porter and T. Duff, "Compositing Digital Images", 1984: source over
 //! destination, premultiplied by opacity.
 
+use gks_algorithms::coverage::SAMPLES;
 use gks_pipeline::colour::Colour;
-use tiny_skia::{Color, ColorU8, PremultipliedColorU8};
 
-/// A pixel of the frame buffer.
-pub(super) type Pixel = PremultipliedColorU8;
+/// A pixel of the frame buffer: red, green, blue and opacity, the colours premultiplied by the opacity.
+pub(super) type Pixel = [u8; 4];
 
 /// The pixel that shows a colour alone.
 pub(super) fn pixel(colour: Colour) -> Pixel {
     let [r, g, b, a] = colour.to_bytes();
-    ColorU8::from_rgba(r, g, b, a).premultiply()
+    [times(r, a), times(g, a), times(b, a), a]
+}
+
+/// The bytes of the colour that a pixel shows, no longer premultiplied.
+pub(super) fn demultiplied([r, g, b, a]: Pixel) -> [u8; 4] {
+    let part = |c: u8| match a {
+        0 => 0,
+        255 => c,
+        _ => ((u32::from(c) * 255 + u32::from(a) / 2) / u32::from(a)).min(255) as u8,
+    };
+    [part(r), part(g), part(b), a]
 }
 
 /// The colour that a pixel shows.
 pub(super) fn colour(pixel: Pixel) -> Colour {
-    let c = pixel.demultiply();
-    let [red, green, blue, alpha] = [c.red(), c.green(), c.blue(), c.alpha()].map(|v| f32::from(v) / 255.0);
+    let [red, green, blue, alpha] = demultiplied(pixel).map(|c| f32::from(c) / 255.0);
     Colour { red, green, blue, alpha }
-}
-
-/// A colour as the scan converter takes it, rounded like [`pixel`].
-pub(super) fn skia(colour: Colour) -> Color {
-    let [r, g, b, a] = colour.to_bytes();
-    Color::from_rgba8(r, g, b, a)
 }
 
 /// `a` times `b` for numbers that stand for 0 to 1 as 0 to 255, rounded to nearest.
@@ -33,27 +36,96 @@ pub(super) fn times(a: u8, b: u8) -> u8 {
     ((p + (p >> 8)) >> 8) as u8
 }
 
+/// Four bytes times `b` as in [`times`].
+#[inline]
+fn all_times(four: u32, b: u32) -> u32 {
+    let pair = |two: u32| {
+        let p = two * b + 0x0080_0080;
+        p + ((p >> 8) & 0x00FF_00FF)
+    };
+    (pair(four & 0x00FF_00FF) >> 8) & 0x00FF_00FF | pair((four >> 8) & 0x00FF_00FF) & 0xFF00_FF00
+}
+
+/// A part of a colour: what it adds to a pixel, and how much of the pixel it leaves.
+#[derive(Copy, Clone, Debug)]
+struct Layer {
+    add: u32,
+    keep: u32,
+}
+
+impl Layer {
+    #[inline]
+    fn new(above: Pixel, coverage: u8) -> Self {
+        let add = all_times(u32::from_le_bytes(above), u32::from(coverage));
+        Layer { add, keep: 255 - (add >> 24) }
+    }
+
+    #[inline]
+    fn put(self, below: &mut Pixel) {
+        let kept = all_times(u32::from_le_bytes(*below), self.keep);
+        // No component of either is larger than its opacity, and the opacities add up to 255 at most.
+        *below = (self.add + kept).to_le_bytes();
+    }
+}
+
 /// Puts a colour over a pixel of which `coverage` of 255 parts are covered.
 #[inline]
 pub(super) fn over(below: &mut Pixel, above: Pixel, coverage: u8) {
-    if coverage == 255 && above.alpha() == 255 {
-        *below = above;
-        return;
+    if above[3] < 255 {
+        return Layer::new(above, coverage).put(below);
     }
-    if coverage == 0 {
-        return;
+    let (part, rest) = (u32::from(coverage), 255 - u32::from(coverage));
+    let (a, b) = (u32::from_le_bytes(above), u32::from_le_bytes(*below));
+    let pair = |a: u32, b: u32| {
+        let p = (a & 0x00FF_00FF) * part + (b & 0x00FF_00FF) * rest + 0x0080_0080;
+        p + ((p >> 8) & 0x00FF_00FF)
+    };
+    let mixed = (pair(a, b) >> 8) & 0x00FF_00FF | pair(a >> 8, b >> 8) & 0xFF00_FF00;
+    *below = mixed.to_le_bytes();
+}
+
+/// A colour ready to be put over many pixels, covered by a number of samples.
+#[derive(Clone, Debug)]
+pub(super) struct Ink {
+    layers: [Layer; SAMPLES as usize + 1],
+}
+
+impl Ink {
+    /// The ink of a colour of which `strength` of 255 parts are used.
+    pub(super) fn new(above: Pixel, strength: u8) -> Self {
+        let whole = all_times(u32::from_le_bytes(above), u32::from(strength)).to_le_bytes();
+        let part = |samples: usize| (samples * 255 + SAMPLES as usize / 2) / SAMPLES as usize;
+        Ink { layers: std::array::from_fn(|samples| Layer::new(whole, part(samples) as u8)) }
     }
-    let rest = 255 - times(above.alpha(), coverage);
-    let mix = |a: u8, b: u8| times(a, coverage).saturating_add(times(b, rest));
-    let alpha = mix(above.alpha(), below.alpha());
-    let channel = |a: u8, b: u8| mix(a, b).min(alpha);
-    if let Some(mixed) = Pixel::from_rgba(
-        channel(above.red(), below.red()),
-        channel(above.green(), below.green()),
-        channel(above.blue(), below.blue()),
-        alpha,
-    ) {
-        *below = mixed;
+
+    /// Puts the ink over pixels whose samples in `words` are covered.
+    pub(super) fn over_all(&self, pixels: &mut [Pixel], words: &[u64]) {
+        // Neighbours are mostly alike, so it pays to look at several of them first.
+        for (pixels, words) in pixels.chunks_mut(8).zip(words.chunks(8)) {
+            let (or, and) = words.iter().fold((0, u64::MAX), |(or, and), word| (or | word, and & word));
+            if or == 0 {
+                continue;
+            }
+            let whole = self.layers[SAMPLES as usize];
+            if and == u64::MAX && whole.keep == 0 {
+                pixels.fill(self.whole());
+                continue;
+            }
+            for (below, word) in pixels.iter_mut().zip(words) {
+                self.over_samples(below, word.count_ones() as u8);
+            }
+        }
+    }
+
+    /// Puts the ink over a pixel of which a number of samples is covered.
+    #[inline]
+    pub(super) fn over_samples(&self, below: &mut Pixel, samples: u8) {
+        self.layers[usize::from(samples.min(SAMPLES as u8))].put(below);
+    }
+
+    /// What the ink puts over a pixel that it covers.
+    pub(super) fn whole(&self) -> Pixel {
+        self.layers[SAMPLES as usize].add.to_le_bytes()
     }
 }
 
@@ -67,6 +139,8 @@ mod tests {
             for b in 0..=255u8 {
                 let exact = (f64::from(a) * f64::from(b) / 255.0).round() as u8;
                 assert_eq!(times(a, b), exact, "{a} {b}");
+                let four = all_times(u32::from_le_bytes([a, 255 - a, 255, a]), b.into()).to_le_bytes();
+                assert_eq!(four, [exact, times(255 - a, b), b, exact], "{a} {b}");
             }
         }
     }
@@ -79,16 +153,37 @@ mod tests {
         over(&mut translucent, pixel(Colour { alpha: 128.0 / 255.0, ..red }), 255);
         assert_eq!(covered, translucent);
         assert_eq!(colour(covered).to_bytes(), [255, 127, 127, 255]);
+        let mut sampled = pixel(Colour::WHITE);
+        Ink::new(pixel(red), 255).over_samples(&mut sampled, 32);
+        assert_eq!(sampled, covered);
+        let mut three = [pixel(Colour::WHITE); 3];
+        Ink::new(pixel(red), 255).over_all(&mut three, &[0, u64::MAX, 0xF0F0_F0F0_F0F0_F0F0]);
+        assert_eq!(three, [pixel(Colour::WHITE), pixel(red), covered]);
     }
 
     #[test]
-    fn opaque_stays_opaque() {
+    fn opaque_stays_opaque_and_nothing_leaves_its_range() {
         for coverage in 0..=255 {
             for alpha in [0.0, 0.3, 0.99, 1.0] {
+                let above = pixel(Colour { red: 1.0, green: 0.9, blue: 0.1, alpha });
                 let mut p = pixel(Colour::rgb(0.2, 0.4, 0.6));
-                over(&mut p, pixel(Colour { red: 1.0, green: 0.9, blue: 0.1, alpha }), coverage);
-                assert_eq!(p.alpha(), 255);
+                over(&mut p, above, coverage);
+                Ink::new(above, coverage).over_samples(&mut p, coverage / 4);
+                assert_eq!(p[3], 255);
+                let mut q = pixel(Colour { alpha: 0.5, ..Colour::WHITE });
+                over(&mut q, above, coverage);
+                assert!(q[..3].iter().all(|&c| c <= q[3]), "{q:?}");
             }
         }
+    }
+
+    #[test]
+    fn colours_survive_being_multiplied() {
+        for alpha in 1..=255u8 {
+            let bytes = [alpha, alpha / 2, 0, alpha];
+            let [r, g, b, a] = demultiplied(bytes);
+            assert_eq!([times(r, a), times(g, a), times(b, a), a], bytes);
+        }
+        assert_eq!(demultiplied([0; 4]), [0; 4]);
     }
 }

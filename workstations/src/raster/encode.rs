@@ -1,6 +1,9 @@
 //! Image files: a picture becomes PNG, JPEG, TIFF, BMP, WebP or GIF.
 
+mod png;
+
 use super::describe::Layout;
+use crate::options::Options;
 use gks_pipeline::device::{DeviceError, Sink};
 use image::codecs::bmp::BmpEncoder;
 use image::codecs::gif::GifEncoder;
@@ -8,7 +11,6 @@ use image::codecs::jpeg::{JpegEncoder, PixelDensity, PixelDensityUnit};
 use image::codecs::tiff::TiffEncoder;
 use image::codecs::webp::WebPEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
-use std::borrow::Cow;
 use std::io::Cursor;
 
 /// A format of image files.
@@ -41,27 +43,41 @@ impl Format {
 
 /// The samples of a picture, row by row from the top, without padding.
 pub(super) enum Samples<'a> {
-    /// Red, green and blue.
-    Rgb(Vec<u8>),
+    /// Red, green, blue and a byte that counts for nothing: the picture is opaque.
+    Opaque(&'a [u8]),
     /// Red, green, blue and opacity, not premultiplied.
     Rgba(Vec<u8>),
     /// Indices into a table of red, green, blue and opacity.
     Palette(&'a [u8], &'a [[u8; 4]]),
 }
 
+/// What an encoder takes pains over.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(super) struct Care {
+    /// The quality of JPEG, from 1 to 100.
+    pub(super) quality: u8,
+    /// Whether PNG is to be small rather than written fast.
+    pub(super) small: bool,
+}
+
+impl Care {
+    /// What options ask for.
+    pub(super) fn of(options: &Options) -> Self {
+        Care { quality: options.quality.unwrap_or(90), small: options.small }
+    }
+}
+
 /// Writes a picture as one document.
-///
-/// `quality` is that of JPEG, from 1 to 100.
 pub(super) fn write(
     samples: Samples<'_>,
     layout: Layout,
     format: Format,
-    quality: u8,
+    care: Care,
     sink: &mut dyn Sink,
 ) -> Result<(), DeviceError> {
     let bytes = match format {
-        Format::Png => png(&samples, layout)?,
-        _ => image(samples.without_palette(format), layout, format, quality)?,
+        Format::Png => png::write(&samples, layout, care.small)?,
+        _ => image(samples.without_palette(format), layout, format, care.quality)?,
     };
     sink.open()?;
     sink.write(&bytes)?;
@@ -73,7 +89,7 @@ impl Samples<'_> {
     /// The same picture as the formats want it that know no palette, and JPEG no opacity.
     fn without_palette(self, format: Format) -> (Vec<u8>, ExtendedColorType) {
         let rgba = match self {
-            Samples::Rgb(rgb) => return (rgb, ExtendedColorType::Rgb8),
+            Samples::Opaque(pixels) => return (rgb(pixels), ExtendedColorType::Rgb8),
             Samples::Rgba(rgba) => rgba,
             Samples::Palette(indices, table) => {
                 let colour = |&i: &u8| table.get(usize::from(i)).copied().unwrap_or([0, 0, 0, 255]);
@@ -97,46 +113,13 @@ impl Samples<'_> {
     }
 }
 
-fn png(samples: &Samples<'_>, layout: Layout) -> Result<Vec<u8>, DeviceError> {
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, layout.width, layout.height);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Fast);
-    // Trying all filters on every row takes four times as long and saves a tenth.
-    encoder.set_filter(png::Filter::Paeth);
-    let per_metre = (1.0 / layout.pixel).round() as u32;
-    encoder.set_pixel_dims(Some(png::PixelDimensions {
-        xppu: per_metre,
-        yppu: per_metre,
-        unit: png::Unit::Meter,
-    }));
-    let data: Cow<'_, [u8]> = match samples {
-        Samples::Rgb(rgb) => {
-            encoder.set_color(png::ColorType::Rgb);
-            rgb.into()
-        }
-        Samples::Rgba(rgba) => {
-            encoder.set_color(png::ColorType::Rgba);
-            rgba.into()
-        }
-        Samples::Palette(indices, table) => {
-            encoder.set_color(png::ColorType::Indexed);
-            encoder.set_palette(table.iter().flat_map(|c| [c[0], c[1], c[2]]).collect::<Vec<u8>>());
-            let opaque = table.iter().rposition(|c| c[3] < 255).map_or(0, |last| last + 1);
-            if opaque > 0 {
-                encoder.set_trns(table[..opaque].iter().map(|c| c[3]).collect::<Vec<u8>>());
-            }
-            (*indices).into()
-        }
-    };
-    let failed = |error: png::EncodingError| match error {
-        png::EncodingError::IoError(error) => DeviceError::Io(error),
-        other => DeviceError::Encode(other.to_string()),
-    };
-    let mut writer = encoder.write_header().map_err(failed)?;
-    writer.write_image_data(&data).map_err(failed)?;
-    writer.finish().map_err(failed)?;
-    Ok(bytes)
+/// The red, green and blue samples of an opaque picture.
+fn rgb(pixels: &[u8]) -> Vec<u8> {
+    let mut rgb = Vec::with_capacity(pixels.len() / 4 * 3);
+    for pixel in pixels.as_chunks::<4>().0 {
+        rgb.extend_from_slice(&pixel[..3]);
+    }
+    rgb
 }
 
 fn image(
@@ -222,6 +205,7 @@ pub(super) mod tests {
     }
 
     const LAYOUT: Layout = Layout { width: 16, height: 8, pixel: 0.0254 / 300.0 };
+    const FINE: Care = Care { quality: 95, small: false };
     const FORMATS: [(Format, ImageFormat); 6] = [
         (Format::Png, ImageFormat::Png),
         (Format::Jpeg, ImageFormat::Jpeg),
@@ -238,7 +222,7 @@ pub(super) mod tests {
 
     fn written(samples: Samples<'_>, format: Format) -> Vec<u8> {
         let mut sink = MemorySink::default();
-        write(samples, LAYOUT, format, 95, &mut sink).unwrap();
+        write(samples, LAYOUT, format, FINE, &mut sink).unwrap();
         let documents = sink.0.lock().unwrap();
         assert_eq!(documents.len(), 1);
         documents[0].clone()
@@ -257,7 +241,8 @@ pub(super) mod tests {
     #[test]
     fn every_format_reads_back() {
         for (format, other) in FORMATS {
-            let picture = read(&written(Samples::Rgb(halves(&[250, 20, 30], &[0, 0, 255])), format), other);
+            let picture =
+                read(&written(Samples::Opaque(&halves(&[250, 20, 30, 0], &[0, 0, 255, 0])), format), other);
             // What the reader of GIF returns has opacity always.
             assert!(format == Format::Gif || !picture.color().has_alpha(), "{format:?}");
             assert!(resembles(&picture, 2, 3, [250, 20, 30, 255]), "{format:?}");
@@ -288,8 +273,8 @@ pub(super) mod tests {
             let bytes = written(Samples::Palette(&indices, &table), format);
             assert!(resembles(&read(&bytes, other), 2, 3, [200, 100, 50, 255]), "{format:?}");
             if format == Format::Png {
-                let info = png::Decoder::new(Cursor::new(&bytes)).read_info().unwrap().info().clone();
-                assert_eq!(info.color_type, png::ColorType::Indexed);
+                let info = ::png::Decoder::new(Cursor::new(&bytes)).read_info().unwrap().info().clone();
+                assert_eq!(info.color_type, ::png::ColorType::Indexed);
                 assert_eq!((info.palette.unwrap().len(), info.trns), (9, None));
             }
         }
@@ -300,22 +285,23 @@ pub(super) mod tests {
 
     #[test]
     fn the_resolution_is_in_the_file() {
-        let bytes = written(Samples::Rgb(halves(&[1, 2, 3], &[4, 5, 6])), Format::Png);
-        let reader = png::Decoder::new(Cursor::new(&bytes)).read_info().unwrap();
+        let bytes = written(Samples::Opaque(&halves(&[1, 2, 3, 0], &[4, 5, 6, 0])), Format::Png);
+        let reader = ::png::Decoder::new(Cursor::new(&bytes)).read_info().unwrap();
         let density = reader.info().pixel_dims.unwrap();
-        assert_eq!((density.xppu, density.yppu, density.unit), (11811, 11811, png::Unit::Meter));
-        let jpeg = written(Samples::Rgb(halves(&[1, 2, 3], &[4, 5, 6])), Format::Jpeg);
+        assert_eq!((density.xppu, density.yppu, density.unit), (11811, 11811, ::png::Unit::Meter));
+        let jpeg = written(Samples::Opaque(&halves(&[1, 2, 3, 0], &[4, 5, 6, 0])), Format::Jpeg);
         assert_eq!(jpeg[6..18], *b"JFIF\0\x01\x02\x01\x01\x2c\x01\x2c", "300 pixels per inch");
     }
 
     #[test]
     fn a_sink_that_fails_is_an_error() {
+        let pixels = halves(&[1, 2, 3, 0], &[4, 5, 6, 0]);
         for calls in 0..3 {
-            let samples = Samples::Rgb(halves(&[1, 2, 3], &[4, 5, 6]));
-            let result = write(samples, LAYOUT, Format::Png, 90, &mut FailingSink(calls));
+            let samples = Samples::Opaque(&pixels);
+            let result = write(samples, LAYOUT, Format::Png, FINE, &mut FailingSink(calls));
             assert!(matches!(result, Err(DeviceError::Io(_))), "{calls}");
         }
-        let samples = Samples::Rgb(halves(&[1, 2, 3], &[4, 5, 6]));
-        assert!(write(samples, LAYOUT, Format::Png, 90, &mut FailingSink(3)).is_ok());
+        let samples = Samples::Opaque(&pixels);
+        assert!(write(samples, LAYOUT, Format::Png, FINE, &mut FailingSink(3)).is_ok());
     }
 }

@@ -1,31 +1,24 @@
 //! The indexed workstation: a frame buffer of colour indices with a colour look-up table, drawn by the classical
 //! algorithms pixel by pixel, and image files with a palette.
 
+use super::aliased::{Aliased, WIDE, rule};
 use super::cells::{self, CellMap};
 use super::clip::Window;
 use super::describe::{Layout, SizeError};
-use super::encode::{self, Format, Samples};
+use super::encode::{self, Care, Format, Samples};
 use super::look_up_table::LookUpTable;
-use super::wide_line::Shape;
 use crate::options::Options;
-use gks_algorithms::clip::polyline;
-use gks_algorithms::fill::EdgeTable;
-use gks_algorithms::line::{bresenham, m4};
 use gks_algorithms::rect::IRect;
 use gks_algorithms::{circle, ellipse, path};
-use gks_geometry::{Du, PathBuf, Paths, Point, Rect};
+use gks_geometry::{Du, Paths, Rect};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::device::{
-    Device, DeviceError, Drawn, Fill, Form, FrameBuffer, Grid, Mark, Page, Pen, Rule, Sink, Surface,
+    Device, DeviceError, Drawn, Fill, Form, FrameBuffer, Grid, Mark, Page, Pen, Sink, Surface,
 };
 use gks_pipeline::item::{Closure, Curve, Ellipse, Parallelogram};
-use gks_pipeline::look::Cap;
-use glam::{DVec2, IVec2};
+use glam::IVec2;
 use std::cell::RefCell;
 use std::f64::consts::TAU;
-
-/// The width in pixels from which lines are drawn as polygons.
-const WIDE: f64 = 1.5;
 
 /// A frame buffer of 8-bit colour indices, which may be written as an image file for each page.
 ///
@@ -37,9 +30,9 @@ pub struct Indexed {
     pixels: Vec<u8>,
     table: LookUpTable,
     background: Option<Colour>,
-    quality: u8,
+    care: Care,
     output: Option<(Box<dyn Sink>, Format)>,
-    edges: EdgeTable,
+    aliased: Aliased,
 }
 
 impl Indexed {
@@ -55,9 +48,9 @@ impl Indexed {
             pixels: vec![0; layout.pixels()],
             table: LookUpTable::default(),
             background: if options.transparent { Some(clear) } else { options.background },
-            quality: options.quality.unwrap_or(90),
+            care: Care::of(options),
             output,
-            edges: EdgeTable::new(),
+            aliased: Aliased::new(),
         })
     }
 
@@ -75,70 +68,20 @@ impl Indexed {
         IRect::of_size(self.layout.width as i32, self.layout.height as i32)
     }
 
-    /// The pixel that contains a point of the display surface, whose far edges belong to the last pixels.
-    fn pixel(&self, p: DVec2) -> IVec2 {
-        let last = DVec2::new(self.surface.width, self.surface.height) - 1.0;
-        p.floor().clamp(DVec2::ZERO, last).as_ivec2()
-    }
-
     /// Draws lines inside of the display surface.
     fn lines(&mut self, paths: Paths<'_, Du>, pen: &Pen<'_>) {
-        let near = self.surface.extent();
-        let mut cut = PathBuf::<Du>::new();
-        let paths = if paths.points.iter().all(|&p| near.contains(Point::from_vec(p))) {
-            paths
-        } else {
-            for path in paths.iter() {
-                polyline((near.min.0, near.max.0), path, &mut cut.points, &mut cut.ends);
-            }
-            cut.as_paths()
-        };
         let index = self.table.index(&pen.paint);
-        let shape = Shape { width: pen.width, cap: pen.cap, join: pen.join };
-        let mut distinct = Vec::new();
-        for path in paths.iter() {
-            if pen.width < WIDE {
-                self.thin(path, pen.cap, index);
-                continue;
-            }
-            distinct.clear();
-            m4(path.iter().copied(), 0.125, |p| distinct.push(p));
-            distinct.dedup();
-            let mut table = std::mem::take(&mut self.edges);
-            shape.polygons(&distinct, |ring| {
-                self.area(&mut table, Paths::new(ring, &[ring.len() as u32]), path::Rule::NonZero, index);
-            });
-            self.edges = table;
-        }
+        let (pixels, width) = (&mut self.pixels, self.layout.width as usize);
+        self.aliased.lines(paths, pen, &self.surface.extent(), |row, from, to| {
+            pixels[row as usize * width..][from as usize..to as usize].fill(index);
+        });
     }
 
-    /// Draws a line one pixel wide.
-    fn thin(&mut self, path: &[DVec2], cap: Cap, index: u8) {
+    fn area(&mut self, rings: Paths<'_, Du>, rule: path::Rule, index: u8) {
         let (raster, width) = (self.raster(), self.layout.width as usize);
-        let mut from: Option<IVec2> = None;
-        let last = path.len().saturating_sub(1);
-        let cut = cap == Cap::Butt && path.first() != path.last();
-        let vertices = path.iter().enumerate().map(|(i, &p)| match i {
-            0 if cut => inset(p, path[1]),
-            _ if cut && i == last => inset(p, path[last - 1]),
-            _ => p,
-        });
-        // Within one column of pixels the lowest and the highest vertex make all the difference.
-        m4(vertices, 1.0, |p| {
-            let to = self.pixel(p);
-            let pixels = &mut self.pixels;
-            if from != Some(to) {
-                let mut plot = |x: i32, y: i32| pixels[y as usize * width + x as usize] = index;
-                bresenham(from.unwrap_or(to), to, raster, &mut plot);
-            }
-            from = Some(to);
-        });
-    }
-
-    fn area(&mut self, table: &mut EdgeTable, rings: Paths<'_, Du>, rule: path::Rule, index: u8) {
-        let width = self.layout.width as usize;
-        table.spans(rings.points, rings.ends, rule, self.raster(), |row, from, to| {
-            self.pixels[row as usize * width..][from as usize..to as usize].fill(index);
+        let pixels = &mut self.pixels;
+        self.aliased.area(rings, rule, raster, |row, from, to| {
+            pixels[row as usize * width..][from as usize..to as usize].fill(index);
         });
     }
 
@@ -157,8 +100,9 @@ impl Indexed {
         );
         let indices: Vec<u8> = grid.paints.iter().map(|paint| self.table.index(paint)).collect();
         let width = self.layout.width as usize;
-        self.edges.spans(rings.points, rings.ends, rule, window, |row, from, to| {
-            let line = &mut self.pixels[row as usize * width..][..width];
+        let pixels = &mut self.pixels;
+        self.aliased.area(rings, rule, window, |row, from, to| {
+            let line = &mut pixels[row as usize * width..][..width];
             for column in from..to {
                 line[column as usize] = indices[map.tiled(column as u32, row as u32)];
             }
@@ -210,21 +154,6 @@ impl Indexed {
     }
 }
 
-/// The middle of the last pixel of a line that is cut off at its end: a dash of three pixels shall not take four.
-fn inset(end: DVec2, before: DVec2) -> DVec2 {
-    let back = before - end;
-    let length = back.abs().max_element();
-    // A little less than half a pixel, so that the line between the middles of two pixels takes both.
-    if length > 0.0 { end + back * (0.499 / length).min(0.5) } else { end }
-}
-
-fn rule(rule: Rule) -> path::Rule {
-    match rule {
-        Rule::EvenOdd => path::Rule::EvenOdd,
-        Rule::NonZero => path::Rule::NonZero,
-    }
-}
-
 impl Device for Indexed {
     fn surface(&self) -> &Surface {
         &self.surface
@@ -252,9 +181,7 @@ impl Device for Indexed {
             (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(*paths, pen),
             (Form::Area(rings, by, Fill::Solid(paint)), None) => {
                 let index = self.table.index(paint);
-                let mut table = std::mem::take(&mut self.edges);
-                self.area(&mut table, *rings, rule(*by), index);
-                self.edges = table;
+                self.area(*rings, rule(*by), index);
             }
             (Form::Area(rings, by, Fill::Pattern(frame, grid)), clip) => {
                 self.pattern((*rings, rule(*by)), clip, (frame, grid));
@@ -273,7 +200,7 @@ impl Device for Indexed {
     fn end(&mut self) -> Result<(), DeviceError> {
         let Some((sink, format)) = &mut self.output else { return Ok(()) };
         let samples = Samples::Palette(&self.pixels, &self.table.to_bytes());
-        encode::write(samples, self.layout, *format, self.quality, sink.as_mut())
+        encode::write(samples, self.layout, *format, self.care, sink.as_mut())
     }
 
     fn close(&mut self) -> Result<(), DeviceError> {
@@ -322,9 +249,12 @@ impl FrameBuffer for Indexed {
 mod tests {
     use super::super::encode::tests::MemorySink;
     use super::*;
-    use gks_geometry::Vector;
+    use gks_algorithms::line::bresenham;
+    use gks_geometry::{Point, Vector};
     use gks_pipeline::colour::Paint;
-    use gks_pipeline::look::Join;
+    use gks_pipeline::device::Rule;
+    use gks_pipeline::look::{Cap, Join};
+    use glam::DVec2;
 
     const COLOURS: [Colour; 5] = [
         Colour::WHITE,

@@ -3,18 +3,21 @@
 //! One device unit is one pixel; columns count from the left and rows from the top, so that the centre of
 //! pixel (c, r) is the point (c + 0.5, r + 0.5).
 
+mod aliased;
+mod bitmap;
 mod cells;
 mod clip;
 mod composite;
-mod curve;
 mod describe;
 mod encode;
 mod indexed;
+mod lines;
 mod look_up_table;
+mod markers;
 mod pattern;
+mod stamp;
 mod stroke;
 mod true_colour;
-mod wide_line;
 
 pub use describe::{Layout, SizeError, indexed, true_colour};
 pub use encode::Format;

@@ -1,76 +1,57 @@
 //! Areas filled with a pattern: the area decides how much of a pixel is covered, its centre which cell it shows.
 
+use super::aliased::Aliased;
+use super::bitmap::Bitmap;
 use super::cells::CellMap;
 use super::clip::Window;
-use super::composite::{Pixel, over, pixel, times};
-use super::curve::Outline;
-use gks_algorithms::clip::sutherland_hodgman;
-use gks_geometry::{Du, PathBuf, Paths};
+use super::composite::{over, pixel, times};
+use gks_algorithms::coverage::AreaMask;
+use gks_algorithms::path::Rule;
+use gks_algorithms::rect::IRect;
+use gks_geometry::{Du, Paths};
 use gks_pipeline::device::Grid;
 use gks_pipeline::item::Parallelogram;
-use glam::DVec2;
-use std::ops::Range;
-use tiny_skia::{FillRule, Mask, Pixmap, Transform};
+use glam::IVec2;
 
 /// Fills rings with a pattern as far as a window leaves them.
 pub(super) fn fill(
-    canvas: &mut Pixmap,
-    (rings, rule): (Paths<'_, Du>, FillRule),
+    bitmap: &mut Bitmap,
+    mask: &mut AreaMask,
+    (rings, rule): (Paths<'_, Du>, Rule),
     window: &Window,
-    antialias: bool,
+    (frame, grid): (&Parallelogram<Du>, &Grid<'_>),
+) {
+    let (Some(map), Some(bounds)) = (CellMap::new(frame, grid), rings.bounds()) else { return };
+    let (columns, rows) = window.touched_by(&bounds);
+    let corner = |column: u32, row: u32| IVec2::new(column as i32, row as i32);
+    let pixels = IRect::new(corner(columns.start, rows.start), corner(columns.end, rows.end));
+    let colours: Vec<_> = grid.paints.iter().map(|paint| pixel(paint.colour)).collect();
+    mask.runs(rings.points, rings.ends, rule, pixels, |row, from, to, covered| {
+        let row = row as u32;
+        let line = bitmap.span(row as usize, from as usize..to as usize);
+        for (column, below) in (from as u32..).zip(line) {
+            over(below, colours[map.tiled(column, row)], times(covered, window.coverage(column, row)));
+        }
+    });
+}
+
+/// Fills the pixels whose centre rings contain with a pattern.
+pub(super) fn fill_whole(
+    bitmap: &mut Bitmap,
+    aliased: &mut Aliased,
+    (rings, rule): (Paths<'_, Du>, Rule),
+    window: &Window,
     (frame, grid): (&Parallelogram<Du>, &Grid<'_>),
 ) {
     let Some(map) = CellMap::new(frame, grid) else { return };
-    let Some((columns, rows, covered)) = coverage(rings, rule, window, antialias) else { return };
-    let width = canvas.width() as usize;
+    let (columns, rows) = window.centred();
+    let corner = |column: u32, row: u32| IVec2::new(column as i32, row as i32);
+    let pixels = IRect::new(corner(columns.start, rows.start), corner(columns.end, rows.end));
     let colours: Vec<_> = grid.paints.iter().map(|paint| pixel(paint.colour)).collect();
-    for (row, parts) in rows.zip(covered.data().chunks_exact(columns.len())) {
-        let line = &mut canvas.pixels_mut()[row as usize * width..][..width];
-        for (column, &part) in columns.clone().zip(parts) {
-            if part > 0 {
-                let part = times(part, window.coverage(column, row));
-                over(&mut line[column as usize], colours[map.tiled(column, row)], part);
-            }
+    aliased.area(rings, rule, pixels, |row, from, to| {
+        let line = bitmap.span(row as usize, from as usize..to as usize);
+        for (column, below) in (from as u32..).zip(line) {
+            over(below, colours[map.tiled(column, row as u32)], 255);
         }
-    }
-}
-
-/// How much of every pixel rings cover: the columns and rows touched, and their coverage row by row.
-fn coverage(
-    rings: Paths<'_, Du>,
-    rule: FillRule,
-    window: &Window,
-    antialias: bool,
-) -> Option<(Range<u32>, Range<u32>, Mask)> {
-    let bounds = rings.bounds()?;
-    let (columns, rows) = window.touched_by(&bounds);
-    let corner = |column: u32, row: u32| DVec2::new(f64::from(column), f64::from(row));
-    let (first, last) = (corner(columns.start, rows.start), corner(columns.end, rows.end));
-    // Far points would lose their place in the single precision of the scan converter.
-    let mut near = PathBuf::<Du>::new();
-    for ring in rings.iter() {
-        sutherland_hodgman((first - 1.0, last + 1.0), ring, &mut near.points, &mut near.ends);
-    }
-    let mut covered = Mask::new(columns.len() as u32, rows.len() as u32)?;
-    let mut outline = Outline::new(first);
-    outline.rings(near.as_paths());
-    let outline = outline.finish()?;
-    covered.fill_path(&outline, rule, antialias, Transform::identity());
-    Some((columns, rows, covered))
-}
-
-/// Fills rings with an opaque colour so that areas with a common boundary leave no seam.
-///
-/// Where two areas share a pixel, each covers a part of it, and what is below shows through both. So a pixel
-/// counts as covered twice as much as it is: one of two neighbours covers at least half of it and so takes it
-/// whole. The boundary stays antialiased, over half a pixel.
-pub(super) fn fill_seamless(canvas: &mut Pixmap, rings: Paths<'_, Du>, window: &Window, colour: Pixel) {
-    let Some((columns, rows, covered)) = coverage(rings, FillRule::EvenOdd, window, true) else { return };
-    let width = canvas.width() as usize;
-    for (row, parts) in rows.zip(covered.data().chunks_exact(columns.len())) {
-        let line = &mut canvas.pixels_mut()[row as usize * width..][..width];
-        for (pixel, &part) in line[columns.start as usize..].iter_mut().zip(parts) {
-            over(pixel, colour, part.saturating_mul(2));
-        }
-    }
+    });
 }

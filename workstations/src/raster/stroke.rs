@@ -1,209 +1,254 @@
-//! Solid lines: outlines of pieces of bounded length, and dots.
-//!
-//! The scan converter needs more than linear time for the outline of a long line, so a wide line is drawn in
-//! pieces. A piece after the first starts a little before its first corner, so that no corner lacks its
-//! join. A line no wider than a pixel is drawn segment by segment. Of long lines, vertices are left out that
-//! make no difference to be seen.
+//! Lines as convex polygons: a rectangle for each segment, and what joins and ends them
+//! (J. D. Foley, A. van Dam, S. K. Feiner and J. F. Hughes, "Computer Graphics: Principles and Practice", 2nd ed.,
+//! 1990, section 3.9).
 
-use super::composite::{Pixel, over, pixel};
-use super::curve::Outline;
-use gks_algorithms::line::m4;
-use gks_geometry::{Du, Paths};
-use gks_pipeline::colour::Colour;
-use gks_pipeline::device::Pen;
-use gks_pipeline::item::Curve;
 use gks_pipeline::look::{Cap, Join};
 use glam::DVec2;
-use tiny_skia::{FillRule, LineCap, LineJoin, Paint, Pixmap, Stroke, Transform};
+use std::f64::consts::TAU;
 
-/// The most points of an outline.
-const PIECE: usize = 512;
-/// How far vertices that are left out may be from the line drawn, in pixels.
-const TOLERANCE: f64 = 0.125;
-/// A dot up to this width in pixels is a square.
-const WIDEST_SQUARE: f64 = 2.0;
+/// The largest deviation of the polygon that stands for a disc, in pixels.
+const TOLERANCE: f64 = 0.05;
+/// The width of the gap at a corner from which on it is joined, in pixels.
+const SMALLEST_GAP: f64 = 0.02;
+/// A miter is at most this many times as long as the line is wide.
+const MITER_LIMIT: f64 = 10.0;
 
-/// The width that a line is drawn with: a pixel at least, unless it is meant to be fainter.
-pub(super) fn visible_width(width: f64) -> f64 {
-    if (0.5..1.0).contains(&width) { 1.0 } else { width.max(0.0) }
-}
-
-/// Where lines are drawn and how.
-pub(super) struct Stroker<'a> {
-    canvas: &'a mut Pixmap,
-    /// The point of the raster in the corner of the canvas.
-    corner: DVec2,
-    paint: Paint<'static>,
-    colour: Pixel,
-    stroke: Stroke,
+/// Follows paths with a pen and gives the convex polygons that make up the line. They overlap.
+///
+/// Each point is looked at once, so that a path may be reduced on its way here.
+#[derive(Debug)]
+pub(super) struct Stroke {
+    half: f64,
     cap: Cap,
-    width: f64,
-    piece: usize,
+    join: Join,
+    /// The vertices of the polygon that stands for a disc around the origin.
+    disc: Vec<DVec2>,
+    /// The polygon under construction.
+    ring: Vec<DVec2>,
+    first: DVec2,
+    first_along: DVec2,
+    last: DVec2,
+    along: DVec2,
+    /// The number of points, neighbours that are equal counted once.
+    count: usize,
 }
 
-impl<'a> Stroker<'a> {
-    /// A stroker that draws with the width and ends of a pen and an opaque colour.
-    pub(super) fn new(
-        canvas: &'a mut Pixmap,
-        corner: DVec2,
-        colour: Colour,
-        pen: &Pen<'_>,
-        antialias: bool,
-    ) -> Self {
-        let width = visible_width(pen.width);
-        let thin = width <= 1.0;
-        let mut paint = Paint { anti_alias: antialias, ..Paint::default() };
-        paint.set_color(super::composite::skia(colour));
-        let stroke = Stroke {
-            // Without antialiasing, width 0 is the line of single pixels.
-            width: if thin && !antialias { 0.0 } else { width as f32 },
-            miter_limit: 10.0,
-            line_cap: match pen.cap {
-                Cap::Butt => LineCap::Butt,
-                Cap::Round => LineCap::Round,
-                Cap::Projecting => LineCap::Square,
-            },
-            line_join: match pen.join {
-                Join::Miter => LineJoin::Miter,
-                Join::Round => LineJoin::Round,
-                Join::Bevel => LineJoin::Bevel,
-            },
-            dash: None,
-        };
-        let piece = if thin { usize::MAX } else { PIECE };
-        Stroker { canvas, corner, paint, colour: pixel(colour), stroke, cap: pen.cap, width, piece }
+impl Stroke {
+    /// A pen that has no width yet.
+    pub(super) fn new() -> Self {
+        let zero = DVec2::ZERO;
+        Stroke {
+            half: 0.0,
+            cap: Cap::Butt,
+            join: Join::Miter,
+            disc: Vec::new(),
+            ring: Vec::new(),
+            first: zero,
+            first_along: zero,
+            last: zero,
+            along: zero,
+            count: 0,
+        }
     }
 
-    /// Draws paths.
-    pub(super) fn lines(&mut self, paths: Paths<'_, Du>) {
-        let mut outline = Outline::new(self.corner);
-        let mut discs = Outline::new(self.corner);
-        let mut points = 0;
-        let mut distinct = Vec::new();
-        for path in paths.iter() {
-            distinct.clear();
-            let finite = path.iter().copied().filter(|p| p.is_finite());
-            if path.len() > PIECE {
-                m4(finite, TOLERANCE, |p| distinct.push(p));
+    /// Takes a pen of a width.
+    pub(super) fn begin(&mut self, width: f64, cap: Cap, join: Join) {
+        let half = width * 0.5;
+        if half != self.half || self.disc.is_empty() {
+            let step = 2.0 * (1.0 - (TOLERANCE / half).min(0.5)).acos();
+            let corners = (TAU / step).ceil().clamp(8.0, 720.0);
+            self.disc.clear();
+            self.disc
+                .extend((0..corners as u32).map(|i| DVec2::from_angle(TAU * f64::from(i) / corners) * half));
+        }
+        (self.half, self.cap, self.join, self.count) = (half, cap, join, 0);
+    }
+
+    /// Changes how corners are joined and gives what it was.
+    pub(super) fn replace_join(&mut self, change: impl FnOnce(Join) -> Join) -> Join {
+        let join = change(self.join);
+        std::mem::replace(&mut self.join, join)
+    }
+
+    /// How far the polygons of a pen reach from the points of a path.
+    pub(super) fn reach(&self) -> f64 {
+        self.half * if self.join == Join::Miter { MITER_LIMIT } else { 1.5 }
+    }
+
+    /// Goes on to the next point of a path. What is not a number is left out.
+    #[inline]
+    pub(super) fn to(&mut self, p: DVec2, polygon: &mut impl FnMut(&[DVec2])) {
+        if !p.is_finite() || self.count > 0 && p == self.last {
+            return;
+        }
+        if self.count == 0 {
+            (self.first, self.last, self.count) = (p, p, 1);
+            return;
+        }
+        let along = (p - self.last).normalize_or_zero();
+        let side = along.perp() * self.half;
+        let mut from = self.last;
+        if self.count == 1 {
+            self.first_along = along;
+        } else {
+            let turn = self.along.perp_dot(along).abs() * self.half;
+            if turn <= SMALLEST_GAP && self.along.dot(along) > 0.0 {
+                // It is closed by as much of an overlap.
+                from -= along * turn;
             } else {
-                distinct.extend(finite);
-            }
-            distinct.dedup();
-            match *distinct {
-                [] => continue,
-                [dot] if self.width <= WIDEST_SQUARE || self.cap != Cap::Round => self.square(dot),
-                [dot] => discs.disc(dot, self.width * 0.5),
-                _ if distinct.len() > self.piece => self.long(&distinct),
-                _ => {
-                    points += distinct.len();
-                    add(&mut outline, &distinct);
-                }
-            }
-            if points > PIECE {
-                self.draw(std::mem::replace(&mut outline, Outline::new(self.corner)));
-                points = 0;
+                self.corner(self.last, self.along, along, polygon);
             }
         }
-        self.draw(outline);
-        if let Some(path) = discs.finish() {
-            self.canvas.fill_path(&path, &self.paint, FillRule::Winding, Transform::identity(), None);
-        }
+        polygon(&[from + side, p + side, p - side, from - side]);
+        (self.last, self.along) = (p, along);
+        self.count += 1;
     }
 
-    /// Draws a curve.
-    pub(super) fn curve(&mut self, curve: &Curve<'_, Du>) {
-        let mut outline = Outline::new(self.corner);
-        outline.curve(curve);
-        self.draw(outline);
-    }
-
-    fn draw(&mut self, outline: Outline) {
-        if let Some(path) = outline.finish() {
-            self.canvas.stroke_path(&path, &self.paint, &self.stroke, Transform::identity(), None);
-        }
-    }
-
-    /// Draws a line of many points in pieces.
-    fn long(&mut self, path: &[DVec2]) {
-        let last = path.len() - 1;
-        let cap = std::mem::replace(&mut self.stroke.line_cap, LineCap::Butt);
-        let beside = |end: DVec2, inner: DVec2, reach: f64| end + (inner - end).normalize() * reach;
-        let closed = path[0] == path[last];
-        let reach = if self.cap == Cap::Projecting && !closed { -0.5 * self.width } else { 0.0 };
-        for from in (0..last).step_by(self.piece) {
-            let to = (from + self.piece).min(last);
-            let mut outline = Outline::new(self.corner);
-            if from == 0 {
-                outline.move_to(beside(path[0], path[1], reach));
-            } else {
-                outline.move_to(beside(path[from], path[from - 1], self.width));
-                outline.line_to(path[from]);
+    /// Ends a path: a path of one point is a dot, and a path of three segments or more that comes back to its start is
+    /// closed.
+    pub(super) fn end(&mut self, polygon: &mut impl FnMut(&[DVec2])) {
+        let count = std::mem::take(&mut self.count);
+        let half = DVec2::splat(self.half);
+        match count {
+            0 => {}
+            1 if self.cap == Cap::Round => self.disc(self.last, polygon),
+            1 => {
+                let (low, high) = (self.last - half, self.last + half);
+                polygon(&[low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)]);
             }
-            for &p in &path[from + 1..to] {
-                outline.line_to(p);
-            }
-            if to < last {
-                outline.line_to(path[to]);
-            } else if closed {
-                outline.line_to(path[0]);
-                outline.line_to(beside(path[0], path[1], self.width));
-            } else {
-                outline.line_to(beside(path[last], path[last - 1], reach));
-            }
-            self.draw(outline);
-        }
-        self.stroke.line_cap = cap;
-        if self.cap == Cap::Round && !closed {
-            let ends = [path[0], path[last]];
-            let mut discs = Outline::new(self.corner);
-            for end in ends {
-                discs.disc(end, self.width * 0.5);
-            }
-            if let Some(path) = discs.finish() {
-                self.canvas.fill_path(&path, &self.paint, FillRule::Winding, Transform::identity(), None);
+            4.. if self.first == self.last => self.corner(self.first, self.along, self.first_along, polygon),
+            _ => {
+                self.ending(self.first, -self.first_along, polygon);
+                self.ending(self.last, self.along, polygon);
             }
         }
     }
 
-    /// Draws a square as wide as the pen.
-    fn square(&mut self, centre: DVec2) {
-        let (columns, rows) = (self.canvas.width(), self.canvas.height());
-        let centre = centre - self.corner;
-        let half = self.width.max(1.0) * 0.5;
-        let (mut low, mut high) = (centre - half, centre + half);
-        if !self.paint.anti_alias {
-            let side = (half * 2.0).round();
-            low = (low + 0.5).floor();
-            high = low + side;
-        }
-        let span = |low: f64, high: f64, size: u32| {
-            let start = low.floor().clamp(0.0, f64::from(size)) as u32;
-            start..(high.ceil().clamp(0.0, f64::from(size)) as u32).max(start)
-        };
-        let part = |at: u32, low: f64, high: f64| {
-            ((f64::from(at) + 1.0).min(high) - f64::from(at).max(low)).clamp(0.0, 1.0)
-        };
-        let faint = if self.width > 0.0 { self.width.min(1.0) } else { 1.0 };
-        for row in span(low.y, high.y, rows) {
-            let of_row = part(row, low.y, high.y) * faint;
-            for column in span(low.x, high.x, columns) {
-                let covered = of_row * part(column, low.x, high.x);
-                let below = &mut self.canvas.pixels_mut()[(row * columns + column) as usize];
-                over(below, self.colour, (covered * 255.0).round() as u8);
+    /// The end of a line that arrives from one direction.
+    fn ending(&mut self, at: DVec2, along: DVec2, polygon: &mut impl FnMut(&[DVec2])) {
+        match self.cap {
+            Cap::Butt => {}
+            Cap::Round => self.disc(at, polygon),
+            Cap::Projecting => {
+                let (side, ahead) = (along.perp() * self.half, along * self.half);
+                polygon(&[at + side, at + side + ahead, at - side + ahead, at - side]);
             }
+        }
+    }
+
+    fn disc(&mut self, at: DVec2, polygon: &mut impl FnMut(&[DVec2])) {
+        self.ring.clear();
+        self.ring.extend(self.disc.iter().map(|&p| p + at));
+        polygon(&self.ring);
+    }
+
+    /// The corner at a point where the line turns from one direction to another, on the outer side.
+    #[inline]
+    fn corner(&mut self, at: DVec2, before: DVec2, after: DVec2, polygon: &mut impl FnMut(&[DVec2])) {
+        let turn = before.perp_dot(after);
+        let cos = before.dot(after);
+        if turn == 0.0 && (cos > 0.0 || self.join != Join::Round) {
+            return;
+        }
+        let outwards = -turn.signum() * self.half;
+        let (a, b) = (before.perp() * outwards, after.perp() * outwards);
+        match self.join {
+            // The miter is 1 / cos of half the turning angle times as long as the line is wide.
+            Join::Miter if (1.0 + cos) * 0.5 >= 1.0 / (MITER_LIMIT * MITER_LIMIT) => {
+                polygon(&[at, at + a, at + (a + b) / (1.0 + cos), at + b]);
+            }
+            Join::Miter | Join::Bevel => polygon(&[at, at + a, at + b]),
+            Join::Round => self.disc(at, polygon),
         }
     }
 }
 
-/// Adds a path of distinct points, closed where it ends at its start.
-fn add(outline: &mut Outline, path: &[DVec2]) {
-    let closed = path.len() > 3 && path[0] == path[path.len() - 1];
-    let open = if closed { &path[..path.len() - 1] } else { path };
-    outline.move_to(open[0]);
-    for &p in &open[1..] {
-        outline.line_to(p);
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gks_algorithms::fill::EdgeTable;
+    use gks_algorithms::path::Rule;
+    use gks_algorithms::rect::IRect;
+
+    fn polygons(path: &[(f64, f64)], width: f64, cap: Cap, join: Join, mut polygon: impl FnMut(&[DVec2])) {
+        let mut stroke = Stroke::new();
+        stroke.begin(width, cap, join);
+        for &p in path {
+            stroke.to(p.into(), &mut polygon);
+        }
+        stroke.end(&mut polygon);
     }
-    if closed {
-        outline.close();
+
+    fn picture(path: &[(f64, f64)], width: f64, cap: Cap, join: Join) -> Vec<String> {
+        let mut rows = vec![vec!['.'; 12]; 8];
+        let mut table = EdgeTable::new();
+        polygons(path, width, cap, join, |ring| {
+            table.spans(ring, &[ring.len() as u32], Rule::NonZero, IRect::of_size(12, 8), |y, from, to| {
+                rows[y as usize][from as usize..to as usize].fill('#');
+            });
+        });
+        rows.into_iter().map(|row| row.into_iter().collect()).collect()
+    }
+
+    #[test]
+    fn ends() {
+        let line = [(3.0, 4.0), (9.0, 4.0)];
+        let row = |cap| picture(&line, 4.0, cap, Join::Miter)[3].clone();
+        assert_eq!(row(Cap::Butt), "...######...");
+        assert_eq!(row(Cap::Projecting), ".##########.");
+        let round = picture(&line, 4.0, Cap::Round, Join::Miter);
+        assert_eq!(
+            round,
+            [
+                "............",
+                "............",
+                "..########..",
+                ".##########.",
+                ".##########.",
+                "..########..",
+                "............",
+                "............"
+            ]
+        );
+    }
+
+    #[test]
+    fn corners() {
+        let angle = [(2.2, 8.0), (2.2, 2.2), (12.0, 2.2)];
+        let top = |join| picture(&angle, 4.0, Cap::Butt, join)[..3].to_vec();
+        assert_eq!(top(Join::Miter), ["############", "############", "############"]);
+        assert_eq!(top(Join::Bevel), ["..##########", ".###########", "############"].map(String::from));
+        assert_eq!(top(Join::Round), [".###########", "############", "############"].map(String::from));
+    }
+
+    #[test]
+    fn a_closed_line_has_no_ends_and_a_sharp_corner_no_miter() {
+        let ring = [(3.0, 2.0), (9.0, 2.0), (9.0, 6.0), (3.0, 6.0), (3.0, 2.0)];
+        let closed = picture(&ring, 2.0, Cap::Butt, Join::Miter);
+        assert_eq!(closed[1], "..########..");
+        assert_eq!(closed[3], "..##....##..");
+        let mut reach = 0.0f64;
+        let sharp = [(0.0, 0.0), (100.0, 0.0), (0.0, 1.0)];
+        polygons(&sharp, 2.0, Cap::Butt, Join::Miter, |ring| {
+            reach = ring.iter().fold(reach, |far, p| far.max(p.x));
+        });
+        assert!(reach < 101.1, "{reach}");
+    }
+
+    #[test]
+    fn a_line_that_turns_back_is_round_there_if_its_joins_are() {
+        let back = [(3.0, 4.0), (7.0, 4.0), (3.0, 4.0)];
+        let row = |join| picture(&back, 4.0, Cap::Butt, join)[3].clone();
+        assert_eq!((&*row(Join::Round), &*row(Join::Miter)), ("...######...", "...####....."));
+    }
+
+    #[test]
+    fn a_dot_is_square_or_round() {
+        let square = picture(&[(4.0, 4.0)], 4.0, Cap::Butt, Join::Miter);
+        assert_eq!(square[2], "..####......");
+        let round = picture(&[(4.0, 4.0), (4.0, 4.0)], 4.0, Cap::Round, Join::Miter);
+        assert_eq!((&*round[2], &*round[3]), ("...##.......", "..####......"));
+        assert_eq!(picture(&[], 4.0, Cap::Round, Join::Miter), ["............"; 8]);
+        assert_eq!(picture(&[(f64::NAN, 4.0)], 4.0, Cap::Round, Join::Miter), ["............"; 8]);
     }
 }

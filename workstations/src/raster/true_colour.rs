@@ -1,67 +1,70 @@
 //! The true-colour workstation: a frame buffer of colours, antialiased, and image files of it.
 
+use super::aliased::{Aliased, rule};
+use super::bitmap::Bitmap;
 use super::cells;
 use super::clip::Window;
-use super::composite::{Pixel, colour, over, pixel, skia};
-use super::curve::Outline;
+use super::composite::{Pixel, colour, over, pixel};
 use super::describe::{Layout, SizeError};
-use super::encode::{self, Format, Samples};
+use super::encode::{self, Care, Format, Samples};
+use super::lines::Lines;
+use super::markers::Markers;
 use super::pattern;
-use super::stroke::{Stroker, visible_width};
 use crate::options::Options;
-use gks_algorithms::clip::polyline;
-use gks_geometry::{Du, PathBuf, Paths, Rect};
-use gks_pipeline::colour::Colour;
+use gks_algorithms::coverage::AreaMask;
+use gks_algorithms::path;
+use gks_algorithms::rect::IRect;
+use gks_geometry::{Du, Paths, Rect};
+use gks_pipeline::colour::{Colour, Paint};
 use gks_pipeline::device::{
     Device, DeviceError, Drawn, Fill, Form, FrameBuffer, Grid, Mark, Page, Pen, Rule, Sink, Surface,
 };
-use gks_pipeline::item::{Curve, Parallelogram};
-use glam::DVec2;
+use gks_pipeline::item::Parallelogram;
+use glam::IVec2;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use tiny_skia::{FillRule, Paint, Pixmap, Transform};
-
-/// How far outside of the frame buffer the scan converter is given points, in pixels.
-const MARGIN: f64 = 4096.0;
 
 /// A frame buffer of colours, which may be written as an image file for each page.
 ///
-/// It draws solid lines, areas, patterns, cells and curves; what is left to the pipeline is text, markers,
-/// dashes, and the exact clipping of everything but cells and patterns.
+/// It draws solid lines, markers, areas, patterns and cells; what is left to the pipeline is text, dashes, curves, and the
+/// exact clipping of everything but cells and patterns.
 pub struct TrueColour {
     layout: Layout,
     surface: Surface,
-    canvas: Arc<Mutex<Pixmap>>,
+    canvas: Arc<Mutex<Bitmap>>,
     background: Option<Colour>,
     transparent: bool,
     /// Whether every pixel is opaque.
     opaque: bool,
     antialias: bool,
-    quality: u8,
+    care: Care,
     output: Option<(Box<dyn Sink>, Format)>,
+    lines: Lines,
+    markers: Markers,
+    areas: AreaMask,
+    aliased: Aliased,
 }
 
 /// A handle to the pixels of a [`TrueColour`], by which a program reads what has been drawn so far, also
 /// after the workstation is closed.
 #[derive(Clone)]
 pub struct SharedPixels {
-    canvas: Arc<Mutex<Pixmap>>,
+    canvas: Arc<Mutex<Bitmap>>,
 }
 
 impl SharedPixels {
     /// Number of columns and rows.
     pub fn size(&self) -> (u32, u32) {
-        let canvas = lock(&self.canvas);
-        (canvas.width(), canvas.height())
+        lock(&self.canvas).size()
     }
 
     /// Calls `read` with the pixels: red, green, blue and opacity, one byte each, premultiplied by the opacity,
     /// row by row from the top. Nothing is drawn until it returns.
     pub fn read<R>(&self, read: impl FnOnce(&[u8]) -> R) -> R {
-        read(lock(&self.canvas).data())
+        read(lock(&self.canvas).bytes())
     }
 }
 
-fn lock(canvas: &Mutex<Pixmap>) -> MutexGuard<'_, Pixmap> {
+fn lock(canvas: &Mutex<Bitmap>) -> MutexGuard<'_, Bitmap> {
     canvas.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -71,18 +74,20 @@ impl TrueColour {
     pub fn new(options: &Options, output: Option<(Box<dyn Sink>, Format)>) -> Result<Self, SizeError> {
         let longest = output.as_ref().map_or(u32::MAX, |(_, format)| format.longest_side());
         let layout = Layout::limited(options, longest)?;
-        let canvas = Pixmap::new(layout.width, layout.height);
-        let canvas = canvas.ok_or(SizeError::Pixels(layout.width, layout.height))?;
         Ok(TrueColour {
             layout,
             surface: layout.surface(),
-            canvas: Arc::new(Mutex::new(canvas)),
+            canvas: Arc::new(Mutex::new(Bitmap::new(layout.width, layout.height))),
             background: options.background,
             transparent: options.transparent,
             opaque: false,
             antialias: options.antialias.unwrap_or(true),
-            quality: options.quality.unwrap_or(90),
+            care: Care::of(options),
             output,
+            lines: Lines::new(),
+            markers: Markers::new(),
+            areas: AreaMask::new(),
+            aliased: Aliased::new(),
         })
     }
 
@@ -94,66 +99,86 @@ impl TrueColour {
     /// Writes the picture as it is now as an image file.
     pub fn write(&self, sink: &mut dyn Sink, format: Format) -> Result<(), DeviceError> {
         let canvas = lock(&self.canvas);
-        let samples = if self.opaque {
-            let mut rgb = Vec::with_capacity(self.layout.pixels() * 3);
-            rgb.extend(canvas.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]));
-            Samples::Rgb(rgb)
-        } else {
-            Samples::Rgba(canvas.clone().take_demultiplied())
-        };
-        drop(canvas);
-        encode::write(samples, self.layout, format, self.quality, sink)
+        let samples =
+            if self.opaque { Samples::Opaque(canvas.bytes()) } else { Samples::Rgba(canvas.demultiplied()) };
+        encode::write(samples, self.layout, format, self.care, sink)
     }
 
-    fn fill(&self, outline: Outline, rule: FillRule, colour: Colour) {
-        if let Some(path) = outline.finish() {
-            let mut paint = Paint { anti_alias: self.antialias, ..Paint::default() };
-            paint.set_color(skia(colour));
-            lock(&self.canvas).fill_path(&path, &paint, rule, Transform::identity(), None);
-        }
+    fn raster(&self) -> IRect {
+        IRect::of_size(self.layout.width as i32, self.layout.height as i32)
     }
 
-    /// Draws with a pen inside of `bounds`. What is translucent is drawn opaque elsewhere first, so that
-    /// a line that meets itself does not become darker there.
-    fn stroke(&self, pen: &Pen<'_>, bounds: &Rect<Du>, draw: impl FnOnce(&mut Stroker<'_>)) {
+    /// Whether a clipping rectangle takes nothing away of the frame buffer.
+    fn leaves_all(&self, clip: Option<Rect<Du>>) -> bool {
+        clip.is_none_or(|clip| clip.contains_rect(&self.surface.extent()))
+    }
+
+    fn lines(&mut self, paths: Paths<'_, Du>, pen: &Pen<'_>) {
         let mut canvas = lock(&self.canvas);
-        let colour = pen.paint.colour;
-        if colour.to_bytes()[3] == 255 {
-            return draw(&mut Stroker::new(&mut canvas, DVec2::ZERO, colour, pen, self.antialias));
+        if self.antialias {
+            return self.lines.draw(&mut canvas, paths, pen);
         }
-        // A miter reaches ten times as far as the line is wide.
-        let bounds = bounds.grown(visible_width(pen.width) * 11.0 + 2.0);
-        let all = Window::new(None, self.layout.width, self.layout.height, self.antialias);
-        let (columns, rows) = all.touched_by(&bounds);
-        let Some(mut apart) = Pixmap::new(columns.len() as u32, rows.len() as u32) else { return };
-        let corner = DVec2::new(f64::from(columns.start), f64::from(rows.start));
-        draw(&mut Stroker::new(&mut apart, corner, Colour::BLACK, pen, self.antialias));
-        let width = self.layout.width as usize;
-        let colour = pixel(colour);
-        for (row, parts) in rows.zip(apart.pixels().chunks_exact(columns.len())) {
-            let line = &mut canvas.pixels_mut()[row as usize * width..][columns.start as usize..];
-            for (below, part) in line.iter_mut().zip(parts) {
-                over(below, colour, part.alpha());
-            }
+        let above = pixel(pen.paint.colour);
+        let surface = self.surface.extent();
+        if above[3] == 255 {
+            self.aliased.lines(paths, pen, &surface, |row, from, to| {
+                canvas.span(row as usize, from as usize..to as usize).fill(above);
+            });
+        } else {
+            let mut once = self.lines.once(self.raster());
+            self.aliased.lines(paths, pen, &surface, |row, from, to| once.span(row, from, to));
+            once.draw(&mut canvas, above);
         }
     }
 
-    fn lines(&self, paths: Paths<'_, Du>, pen: &Pen<'_>) {
-        let Some(bounds) = paths.bounds() else { return };
-        let near = self.surface.extent().grown(MARGIN + pen.width * 11.0);
-        if near.contains_rect(&bounds) {
-            return self.stroke(pen, &bounds, |stroker| stroker.lines(paths));
+    /// Fills rings with one colour.
+    ///
+    /// Where two areas share a pixel, each covers a part of it, and what is below shows through both. So a pixel of an
+    /// opaque fill area counts as covered twice as much as it is: one of two neighbours covers at least half of it and
+    /// takes it whole, and no seam is left. The boundary stays antialiased, over half a pixel.
+    fn area(&mut self, rings: Paths<'_, Du>, by: Rule, paint: &Paint) {
+        let mut canvas = lock(&self.canvas);
+        let above = pixel(paint.colour);
+        let raster = self.raster();
+        let mut put = |row: i32, from: i32, to: i32, covered: u8| {
+            let line = canvas.span(row as usize, from as usize..to as usize);
+            if covered == 255 && above[3] == 255 {
+                line.fill(above);
+            } else {
+                line.iter_mut().for_each(|below| over(below, above, covered));
+            }
+        };
+        if !self.antialias {
+            return self.aliased.area(rings, rule(by), raster, |row, from, to| put(row, from, to, 255));
         }
-        let mut cut = PathBuf::<Du>::new();
-        for path in paths.iter() {
-            polyline((near.min.0, near.max.0), path, &mut cut.points, &mut cut.ends);
+        let Some(bounds) = rings.bounds() else { return };
+        let (columns, rows) =
+            Window::new(None, self.layout.width, self.layout.height, true).touched_by(&bounds);
+        let corner = |column: u32, row: u32| IVec2::new(column as i32, row as i32);
+        let window = IRect::new(corner(columns.start, rows.start), corner(columns.end, rows.end));
+        let times = if by == Rule::EvenOdd && above[3] == 255 { 2 } else { 1 };
+        self.areas.runs(rings.points, rings.ends, rule(by), window, |row, from, to, covered| {
+            put(row, from, to, covered.saturating_mul(times));
+        });
+    }
+
+    fn pattern(
+        &mut self,
+        (rings, rule): (Paths<'_, Du>, path::Rule),
+        clip: Option<Rect<Du>>,
+        (frame, grid): (&Parallelogram<Du>, &Grid<'_>),
+    ) {
+        let window = Window::new(clip, self.layout.width, self.layout.height, self.antialias);
+        let mut canvas = lock(&self.canvas);
+        if self.antialias {
+            return pattern::fill(&mut canvas, &mut self.areas, (rings, rule), &window, (frame, grid));
         }
-        self.stroke(pen, &near, |stroker| stroker.lines(cut.as_paths()));
+        pattern::fill_whole(&mut canvas, &mut self.aliased, (rings, rule), &window, (frame, grid));
     }
 
     fn cells(&self, frame: &Parallelogram<Du>, grid: &Grid<'_>, window: &Window) {
         let mut canvas = lock(&self.canvas);
-        let width = canvas.width() as usize;
+        let width = canvas.size().0 as usize;
         let opaque = grid.paints.iter().all(|paint| paint.colour.to_bytes()[3] == 255);
         let pixels = std::cell::RefCell::new(canvas.pixels_mut());
         cells::draw(
@@ -175,24 +200,6 @@ impl TrueColour {
     }
 }
 
-/// A rectangle that contains a curve.
-fn bounds(curve: &Curve<'_, Du>) -> Option<Rect<Du>> {
-    match curve {
-        Curve::Bezier(points) => Paths::new(points, &[]).bounds(),
-        Curve::Ellipse(e) => {
-            let reach = e.a.0.abs() + e.b.0.abs();
-            Paths::new(&[e.centre.0 - reach, e.centre.0 + reach], &[]).bounds()
-        }
-    }
-}
-
-fn rule(rule: Rule) -> FillRule {
-    match rule {
-        Rule::EvenOdd => FillRule::EvenOdd,
-        Rule::NonZero => FillRule::Winding,
-    }
-}
-
 impl Device for TrueColour {
     fn surface(&self) -> &Surface {
         &self.surface
@@ -210,7 +217,7 @@ impl Device for TrueColour {
             (false, None) => page.background,
         };
         self.opaque = background.to_bytes()[3] == 255;
-        lock(&self.canvas).fill(skia(background));
+        lock(&self.canvas).fill(pixel(background));
         Ok(())
     }
 
@@ -218,35 +225,17 @@ impl Device for TrueColour {
         let (width, height) = (self.layout.width, self.layout.height);
         match (&mark.form, mark.clip) {
             (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(*paths, pen),
-            (Form::Area(rings, Rule::EvenOdd, Fill::Solid(paint)), None)
-                if self.antialias && paint.colour.alpha >= 1.0 =>
-            {
-                let window = Window::new(None, width, height, true);
-                let colour = pixel(paint.colour);
-                pattern::fill_seamless(&mut lock(&self.canvas), *rings, &window, colour);
-            }
-            (Form::Area(rings, by, Fill::Solid(paint)), None) => {
-                let mut outline = Outline::new(DVec2::ZERO);
-                outline.rings(*rings);
-                self.fill(outline, rule(*by), paint.colour);
-            }
+            (Form::Area(rings, by, Fill::Solid(paint)), None) => self.area(*rings, *by, paint),
             (Form::Area(rings, by, Fill::Pattern(frame, grid)), clip) => {
-                let window = Window::new(clip, width, height, self.antialias);
-                let mut canvas = lock(&self.canvas);
-                pattern::fill(&mut canvas, (*rings, rule(*by)), &window, self.antialias, (frame, grid));
+                self.pattern((*rings, rule(*by)), clip, (frame, grid));
+            }
+            (Form::Markers(positions, style), clip)
+                if self.antialias && Markers::can(style) && self.leaves_all(clip) =>
+            {
+                self.markers.draw(&mut lock(&self.canvas), positions, style);
             }
             (Form::Cells(frame, grid), clip) => {
                 self.cells(frame, grid, &Window::new(clip, width, height, self.antialias));
-            }
-            (Form::Stroke(curve, pen), None) if pen.dash.is_empty() => {
-                if let Some(bounds) = bounds(curve) {
-                    self.stroke(pen, &bounds, |stroker| stroker.curve(curve));
-                }
-            }
-            (Form::Filled(curve, paint), None) => {
-                let mut outline = Outline::new(DVec2::ZERO);
-                outline.curve(curve);
-                self.fill(outline, FillRule::EvenOdd, paint.colour);
             }
             _ => return Ok(Drawn::No),
         }
@@ -275,8 +264,7 @@ impl FrameBuffer for TrueColour {
     }
 
     fn colour(&self, column: u32, row: u32) -> Option<Colour> {
-        let inside = column < self.layout.width && row < self.layout.height;
-        lock(&self.canvas).pixel(column, row).filter(|_| inside).map(colour)
+        lock(&self.canvas).pixel(column, row).map(colour)
     }
 
     fn index(&self, _: u32, _: u32) -> Option<u32> {
@@ -301,9 +289,9 @@ impl FrameBuffer for TrueColour {
 mod tests {
     use super::*;
     use gks_geometry::{Point, Vector};
-    use gks_pipeline::colour::Paint;
-    use gks_pipeline::item::{Closure, Ellipse};
+    use gks_pipeline::item::Curve;
     use gks_pipeline::look::{Cap, Join};
+    use glam::DVec2;
 
     const BLACK: Paint = Paint { colour: Colour::BLACK, index: 1 };
     const RED: Paint = Paint { colour: Colour::rgb(1.0, 0.0, 0.0), index: 2 };
@@ -468,30 +456,6 @@ mod tests {
     }
 
     #[test]
-    fn ellipses_are_filled_and_stroked() {
-        let mut device = canvas(100.0, 100.0);
-        let ellipse = |closure, sweep| {
-            Curve::Ellipse(Ellipse {
-                centre: Point::new(50.0, 50.0),
-                a: Vector::new(40.0, 0.0),
-                b: Vector::new(0.0, 20.0),
-                start: 0.0,
-                sweep,
-                closure,
-            })
-        };
-        draw(&mut device, Form::Filled(ellipse(Closure::Full, 1.0), BLACK), None);
-        let ink = |device: &TrueColour| {
-            greens(device).concat().iter().map(|&v| 1.0 - f64::from(v) / 255.0).sum::<f64>()
-        };
-        assert!((ink(&device) - 800.0 * std::f64::consts::PI).abs() < 8.0, "{}", ink(&device));
-        let mut device = canvas(100.0, 100.0);
-        draw(&mut device, Form::Stroke(ellipse(Closure::Open, std::f64::consts::PI), pen(BLACK, 3.0)), None);
-        let g = greens(&device);
-        assert_eq!((g[69][50], g[30][50]), (0, 255), "the half with positive ordinates");
-    }
-
-    #[test]
     fn what_is_left_to_the_pipeline_is_refused_untouched() {
         let mut device = canvas(10.0, 10.0);
         let line = points(&[(1.0, 1.0), (9.0, 9.0)]);
@@ -501,7 +465,8 @@ mod tests {
             (Form::Lines(paths, Pen { dash: &[1.0, 1.0], ..pen(BLACK, 1.0) }), None),
             (Form::Lines(paths, pen(BLACK, 1.0)), clip),
             (Form::Area(paths, Rule::EvenOdd, Fill::Solid(BLACK)), clip),
-            (Form::Filled(Curve::Bezier(&line), BLACK), clip),
+            (Form::Filled(Curve::Bezier(&line), BLACK), None),
+            (Form::Stroke(Curve::Bezier(&line), pen(BLACK, 1.0)), None),
         ] {
             assert_eq!(device.draw(&Mark { form, clip }).unwrap(), Drawn::No);
         }
@@ -525,7 +490,6 @@ mod tests {
                     Form::Area(Paths::new(&path, &[4]), Rule::NonZero, Fill::Solid(paint)),
                     None,
                 );
-                draw(&mut device, Form::Filled(Curve::Bezier(&path), paint), None);
             }
         }
         let mut device = canvas(50.0, 50.0);

@@ -25,6 +25,8 @@ pub(super) struct Document {
     clip: Option<u32>,
     /// The attributes of the open inner group; empty if none is open.
     style: Vec<u8>,
+    /// The colour that elements in the open inner group inherit, as bytes.
+    colour: Option<[u8; 4]>,
     /// Where the attributes of the next mark are composed.
     wanted: Vec<u8>,
     clips: VecDeque<([i64; 4], u32)>,
@@ -39,6 +41,7 @@ impl Document {
             out: Vec::with_capacity(FULL + FULL / 4),
             clip: None,
             style: Vec::new(),
+            colour: None,
             wanted: Vec::new(),
             clips: VecDeque::new(),
             defined: 0,
@@ -126,6 +129,17 @@ impl Document {
     /// Makes sure that what follows is clipped to `clip` and has the attributes that `compose` writes, with a
     /// space before each one.
     pub(super) fn group(&mut self, clip: Option<&Rect<Du>>, compose: impl FnOnce(&mut Vec<u8>)) {
+        self.coloured_group(clip, None, compose);
+    }
+
+    /// The same for elements in the colour that attributes call `currentColor`: that of the first one stands in the
+    /// group. Answers whether an element must name its own.
+    pub(super) fn coloured_group(
+        &mut self,
+        clip: Option<&Rect<Du>>,
+        colour: Option<Colour>,
+        compose: impl FnOnce(&mut Vec<u8>),
+    ) -> bool {
         let clip = clip.map(|rect| rect.limits().map(|limit| COORDINATE.steps(limit)));
         let known = clip.and_then(|rect| self.clips.iter().find(|(known, _)| *known == rect));
         match (clip, known.map(|&(_, number)| number)) {
@@ -148,9 +162,14 @@ impl Document {
             if !self.style.is_empty() {
                 self.out.extend_from_slice(b"<g");
                 self.out.extend_from_slice(&self.style);
+                if let Some(colour) = colour {
+                    paint(&mut self.out, "color", colour);
+                }
+                self.colour = colour.map(Colour::to_bytes);
                 self.out.extend_from_slice(b">\n");
             }
         }
+        colour.is_some_and(|colour| self.colour != Some(colour.to_bytes()))
     }
 
     fn close_style(&mut self) {
@@ -194,7 +213,7 @@ pub(super) fn attribute(out: &mut Vec<u8>, name: &str, value: f64) {
     out.push(b'"');
 }
 
-/// Appends the attributes that paint with a colour: `name` is `fill` or `stroke`.
+/// Appends the attributes that paint with a colour: `name` is `fill` or `stroke`, or `color` for an opaque one.
 pub(super) fn paint(out: &mut Vec<u8>, name: &str, colour: Colour) {
     let [red, green, blue, alpha] = colour.to_bytes();
     open_attribute(out, name);

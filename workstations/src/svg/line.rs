@@ -3,48 +3,83 @@
 use super::COORDINATE;
 use super::document::{Document, attribute, open_attribute, paint};
 use super::path::PathData;
-use gks_geometry::{Du, Paths, Rect};
-use gks_pipeline::colour::Paint;
-use gks_pipeline::device::{Pen, Rule};
+use crate::route::{Route, Track};
+use gks_geometry::{Du, Paths, Pieces, Rect};
+use gks_pipeline::colour::{Colour, Paint};
+use gks_pipeline::device::{DeviceError, Pen, Rule};
 use gks_pipeline::look::{Cap, Join};
-use glam::DVec2;
-use std::io;
+
+/// One element of path data, which is begun with its first path.
+struct Element<'d, 'p> {
+    data: PathData<'d>,
+    clip: Option<&'p Rect<Du>>,
+    /// What writes the attributes of the group that the element belongs to.
+    attributes: &'p dyn Fn(&mut Vec<u8>),
+    /// The colour that the attributes call `currentColor`, if they do.
+    colour: Option<Colour>,
+    begun: bool,
+}
+
+impl<'d, 'p> Element<'d, 'p> {
+    fn new(
+        document: &'d mut Document,
+        clip: Option<&'p Rect<Du>>,
+        attributes: &'p dyn Fn(&mut Vec<u8>),
+        colour: Option<Colour>,
+    ) -> Self {
+        Element { data: PathData::new(document, COORDINATE), clip, attributes, colour, begun: false }
+    }
+
+    fn end(self) {
+        if self.begun {
+            self.data.document.raw("\"/>\n");
+        }
+    }
+}
+
+impl Track for Element<'_, '_> {
+    fn start(&mut self, at: [i64; 2]) -> Result<(), DeviceError> {
+        if !self.begun {
+            self.begun = true;
+            let document = &mut *self.data.document;
+            let is_own = document.coloured_group(self.clip, self.colour, self.attributes);
+            document.raw("<path");
+            if let Some(colour) = self.colour.filter(|_| is_own) {
+                paint(&mut document.out, "color", colour);
+            }
+            document.raw(" d=\"");
+        }
+        Ok(self.data.start(at)?)
+    }
+
+    #[inline]
+    fn line(&mut self, _: [i64; 2], to: [i64; 2]) -> Result<(), DeviceError> {
+        Ok(self.data.line(to)?)
+    }
+
+    fn finish(&mut self, closed: bool) -> Result<(), DeviceError> {
+        if closed {
+            self.data.close();
+        }
+        Ok(())
+    }
+}
 
 /// Draws lines, with all paths in one element and all dots in another, as wide as the pen and square unless its
 /// ends are round. A line that ends where it started has a corner there.
 pub(super) fn lines(
     document: &mut Document,
+    route: &mut Route,
     clip: Option<&Rect<Du>>,
-    paths: Paths<'_, Du>,
+    paths: &impl Pieces,
     pen: &Pen<'_>,
-) -> io::Result<()> {
-    let is_dot = |path: &[DVec2]| path.iter().all(|point| *point == path[0]);
-    let has_lines = paths.iter().any(|path| !is_dot(path));
-    let has_dots = paths.iter().any(|path| !path.is_empty() && is_dot(path));
-    if !has_lines && !has_dots {
-        return Ok(());
-    }
-    document.group(clip, |out| stroke(out, pen));
-    if has_lines {
-        document.raw("<path d=\"");
-        let mut data = PathData::new(document, COORDINATE);
-        for path in paths.iter().filter(|path| !is_dot(path)) {
-            let closed = path.len() > 3 && path.first() == path.last();
-            let last = if closed { path.len() - 1 } else { path.len() };
-            data.move_to(path[0])?;
-            let mut moved = false;
-            for &point in &path[1..last] {
-                moved |= data.line_to(point)?;
-            }
-            match (moved, closed) {
-                (false, _) => data.stay(),
-                (true, true) => data.close(),
-                (true, false) => {}
-            }
-        }
-        document.raw("\"/>\n");
-    }
-    if has_dots {
+) -> Result<(), DeviceError> {
+    let attributes = |out: &mut Vec<u8>| stroke(out, pen);
+    let mut element = Element::new(document, clip, &attributes, None);
+    route.lines(paths, &mut element)?;
+    element.end();
+    if !route.dots.is_empty() {
+        document.group(clip, attributes);
         document.raw("<path");
         if pen.cap == Cap::Butt {
             document.raw(" stroke-linecap=\"square\"");
@@ -54,8 +89,8 @@ pub(super) fn lines(
         }
         document.raw(" d=\"");
         let mut data = PathData::new(document, COORDINATE);
-        for path in paths.iter().filter(|path| !path.is_empty() && is_dot(path)) {
-            data.move_to(path[0])?;
+        for dot in &route.dots {
+            data.start(*dot)?;
             data.stay();
         }
         document.raw("\"/>\n");
@@ -66,36 +101,28 @@ pub(super) fn lines(
 /// Draws the area inside of rings.
 pub(super) fn area(
     document: &mut Document,
+    route: &mut Route,
     clip: Option<&Rect<Du>>,
-    paths: Paths<'_, Du>,
+    rings: Paths<'_, Du>,
     rule: Rule,
     fill: &Paint,
-) -> io::Result<()> {
-    if !paths.iter().any(|ring| ring.len() > 2) {
-        return Ok(());
-    }
-    document.group(clip, |out| {
+) -> Result<(), DeviceError> {
+    // Viewers antialias every area by itself: what is below would show between neighbours. The cells of a pattern
+    // are many rings, which may run along one another with nothing between them.
+    let edged = rule == Rule::EvenOdd && fill.colour.alpha >= 1.0 && rings.ends.len() == 1;
+    let attributes = |out: &mut Vec<u8>| {
+        if edged {
+            out.extend_from_slice(b" fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\".5\"");
+            return;
+        }
         paint(out, "fill", fill.colour);
         if rule == Rule::NonZero {
             out.extend_from_slice(b" fill-rule=\"nonzero\"");
-        } else if fill.colour.alpha >= 1.0 && paths.iter().nth(1).is_none() {
-            // Viewers antialias every area by itself: what is below would show between neighbours. The cells of
-            // a pattern are many rings, which may run along one another with nothing between them.
-            paint(out, "stroke", fill.colour);
-            out.extend_from_slice(b" stroke-width=\".5\"");
         }
-    });
-    document.raw("<path d=\"");
-    let mut data = PathData::new(document, COORDINATE);
-    for ring in paths.iter().filter(|ring| ring.len() > 2) {
-        let last = if ring.first() == ring.last() { ring.len() - 1 } else { ring.len() };
-        data.move_to(ring[0])?;
-        for &point in &ring[1..last] {
-            data.line_to(point)?;
-        }
-        data.close();
-    }
-    document.raw("\"/>\n");
+    };
+    let mut element = Element::new(document, clip, &attributes, edged.then_some(fill.colour));
+    route.rings(rings.iter().filter(|ring| ring.len() > 2), &mut element)?;
+    element.end();
     Ok(())
 }
 

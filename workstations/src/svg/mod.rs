@@ -19,6 +19,7 @@ mod text;
 
 use crate::number::Decimal;
 use crate::options::Options;
+use crate::route::Route;
 use document::Document;
 use gks_pipeline::colour::Colour;
 use gks_pipeline::description::{
@@ -58,11 +59,12 @@ pub struct Svg {
     transparent: bool,
     outlines: bool,
     fonts: Fonts,
+    route: Route,
 }
 
 impl Svg {
     /// A workstation that opens a document in `sink` for each page. Of the options it heeds size, landscape,
-    /// background, transparent and outlines.
+    /// background, transparent, outlines and reduce.
     pub fn new(sink: Box<dyn Sink>, options: &Options) -> Self {
         Svg {
             surface: surface(options),
@@ -71,6 +73,7 @@ impl Svg {
             transparent: options.transparent,
             outlines: options.outlines,
             fonts: Fonts::default(),
+            route: Route::new(COORDINATE, options.tolerance(&surface(options))),
         }
     }
 }
@@ -165,11 +168,14 @@ impl Device for Svg {
     }
 
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
-        let document = &mut self.document;
+        let Svg { document, route, .. } = self;
         let clip = mark.clip.as_ref();
         match &mark.form {
-            Form::Lines(paths, pen) => line::lines(document, clip, *paths, pen)?,
-            Form::Area(paths, rule, Fill::Solid(paint)) => line::area(document, clip, *paths, *rule, paint)?,
+            Form::Lines(paths, pen) => line::lines(document, route, clip, paths, pen)?,
+            Form::LongLine(line, pen) => line::lines(document, route, clip, line, pen)?,
+            Form::Area(rings, rule, Fill::Solid(paint)) => {
+                line::area(document, route, clip, *rings, *rule, paint)?;
+            }
             Form::Markers(positions, style @ MarkerStyle { kind: CIRCLE | DISC, .. }) => {
                 let pen = Pen {
                     paint: style.paint,

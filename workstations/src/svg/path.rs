@@ -2,7 +2,7 @@
 
 use super::FINE;
 use super::document::Document;
-use crate::number::Decimal;
+use crate::number::{Decimal, Word};
 use glam::DVec2;
 use std::io;
 
@@ -14,8 +14,10 @@ const STRIDE: u32 = 256;
 /// Every point is rounded once; the difference written is the one between rounded points, so that a long
 /// path ends where it should.
 pub(super) struct PathData<'d> {
-    document: &'d mut Document,
+    pub(super) document: &'d mut Document,
     decimal: Decimal,
+    /// How many steps make a unit.
+    one: i64,
     /// The current point in steps of the decimal.
     at: [i64; 2],
     /// Where the current subpath started.
@@ -40,6 +42,7 @@ impl<'d> PathData<'d> {
         PathData {
             document,
             decimal: decimal.bare(),
+            one: decimal.count(),
             at: [0; 2],
             start: [0; 2],
             command: 0,
@@ -54,43 +57,77 @@ impl<'d> PathData<'d> {
         [self.decimal.steps(point.x), self.decimal.steps(point.y)]
     }
 
+    /// The letter of a command, if it must be written.
     #[inline]
-    fn command(&mut self, command: u8) {
-        if self.command != command {
-            self.document.out.push(command);
-            self.before = Before::Command;
-            self.command = command;
+    fn command(&mut self, command: u8) -> Word {
+        if self.command == command {
+            return Word::EMPTY;
         }
+        self.before = Before::Command;
+        self.command = command;
+        Word::EMPTY.then(command)
     }
 
-    /// Writes a number, separated from the one before only where it must be: not before a sign, and not
-    /// before a point if the number before has one already.
+    /// Writes a number after `word`, separated from the number before only where it must be: not before a sign,
+    /// and not before a point if the number before has one already.
     #[inline]
-    fn argument(&mut self, steps: i64) {
-        self.argument_as(self.decimal, steps);
+    fn argument(&mut self, word: Word, steps: i64) {
+        self.argument_as(word, self.decimal, steps);
     }
 
+    /// Two numbers that are usual in coordinates, as one word where they are short.
     #[inline]
-    fn argument_as(&mut self, decimal: Decimal, steps: i64) {
-        let scale = decimal.scale() as i64;
-        let starts_with_point = steps > 0 && steps < scale;
-        let separated = match self.before {
+    fn pair(&mut self, word: Word, x: i64, y: i64) {
+        let limit = if matches!(self.one, 1 | 100) { 10_000 * self.one } else { 0 };
+        if x.abs() < limit && y.abs() < limit {
+            let one = self.separated(word, self.one, x).number(self.decimal, x);
+            let two = one.and_then(|one| {
+                let is_separate = (y < 0) | (one.has_fraction() & (y > 0) & (y < self.one));
+                one.then_if(!is_separate, b' ').number(self.decimal, y)
+            });
+            if let Some(two) = two.filter(|two| two.fits()) {
+                two.write(&mut self.document.out);
+                self.before = if two.has_fraction() { Before::Fraction } else { Before::Integer };
+                return;
+            }
+        }
+        self.argument(word, x);
+        self.argument(Word::EMPTY, y);
+    }
+
+    /// With a space if a number needs one before it.
+    #[inline]
+    fn separated(&self, word: Word, one: i64, steps: i64) -> Word {
+        let is_separate = match self.before {
             Before::Command => true,
             Before::Integer => steps < 0,
-            Before::Fraction => steps < 0 || starts_with_point,
+            Before::Fraction => (steps < 0) | ((steps > 0) & (steps < one)),
         };
-        if !separated {
-            self.document.out.push(b' ');
-        }
-        decimal.write_steps(&mut self.document.out, steps);
-        self.before = if steps % scale == 0 { Before::Integer } else { Before::Fraction };
+        word.then_if(!is_separate, b' ')
+    }
+
+    #[inline]
+    fn argument_as(&mut self, word: Word, decimal: Decimal, steps: i64) {
+        let word = self.separated(word, decimal.count(), steps);
+        let out = &mut self.document.out;
+        let fraction = match word.number(decimal, steps) {
+            Some(word) => {
+                word.write(out);
+                word.has_fraction()
+            }
+            None => {
+                word.write(out);
+                decimal.write_steps(out, steps);
+                steps % decimal.count() != 0
+            }
+        };
+        self.before = if fraction { Before::Fraction } else { Before::Integer };
     }
 
     /// Writes the displacement from the current point to a point, and goes there in relative coordinates.
     #[inline]
-    fn displacement(&mut self, to: [i64; 2]) {
-        self.argument(to[0] - self.at[0]);
-        self.argument(to[1] - self.at[1]);
+    fn displacement(&mut self, word: Word, to: [i64; 2]) {
+        self.pair(word, to[0] - self.at[0], to[1] - self.at[1]);
     }
 
     /// Whether the next step is to be an absolute one.
@@ -106,18 +143,22 @@ impl<'d> PathData<'d> {
 
     /// Starts a subpath.
     pub(super) fn move_to(&mut self, point: DVec2) -> io::Result<()> {
+        self.start(self.rounded(point))
+    }
+
+    /// Starts a subpath at a point given in steps.
+    pub(super) fn start(&mut self, to: [i64; 2]) -> io::Result<()> {
         self.document.spill()?;
-        let to = self.rounded(point);
         // The letter is always written: lines would follow without one.
         self.command = 0;
         if self.anchors() {
-            self.command(b'M');
-            self.argument(to[0]);
-            self.argument(to[1]);
+            let word = self.command(b'M');
+            self.argument(word, to[0]);
+            self.argument(Word::EMPTY, to[1]);
             self.command = b'L';
         } else {
-            self.command(b'm');
-            self.displacement(to);
+            let word = self.command(b'm');
+            self.displacement(word, to);
             self.command = b'l';
         }
         self.at = to;
@@ -126,37 +167,42 @@ impl<'d> PathData<'d> {
     }
 
     /// A line to a point; nothing if it is the current point after rounding. Answers whether there is a line.
-    #[inline]
     pub(super) fn line_to(&mut self, point: DVec2) -> io::Result<bool> {
-        self.document.spill()?;
         let to = self.rounded(point);
-        let [dx, dy] = [to[0] - self.at[0], to[1] - self.at[1]];
-        if dx == 0 && dy == 0 {
-            return Ok(false);
+        let moves = to != self.at;
+        if moves {
+            self.line(to)?;
         }
+        Ok(moves)
+    }
+
+    /// A line to a point given in steps.
+    #[inline]
+    pub(super) fn line(&mut self, to: [i64; 2]) -> io::Result<()> {
+        self.document.spill()?;
+        let [dx, dy] = [to[0] - self.at[0], to[1] - self.at[1]];
         if self.anchors() {
-            self.command(b'L');
-            self.argument(to[0]);
-            self.argument(to[1]);
+            let word = self.command(b'L');
+            self.argument(word, to[0]);
+            self.argument(Word::EMPTY, to[1]);
         } else if dy == 0 {
-            self.command(b'h');
-            self.argument(dx);
+            let word = self.command(b'h');
+            self.argument(word, dx);
         } else if dx == 0 {
-            self.command(b'v');
-            self.argument(dy);
+            let word = self.command(b'v');
+            self.argument(word, dy);
         } else {
-            self.command(b'l');
-            self.argument(dx);
-            self.argument(dy);
+            let word = self.command(b'l');
+            self.pair(word, dx, dy);
         }
         self.at = to;
-        Ok(true)
+        Ok(())
     }
 
     /// A line of no length, which shows as the ends of lines show.
     pub(super) fn stay(&mut self) {
-        self.command(b'h');
-        self.argument(0);
+        let word = self.command(b'h');
+        self.argument(word, 0);
     }
 
     /// A cubic Bezier curve.
@@ -164,11 +210,12 @@ impl<'d> PathData<'d> {
         self.document.spill()?;
         let to = self.rounded(end);
         let absolute = self.anchors();
-        self.command(if absolute { b'C' } else { b'c' });
+        let mut word = self.command(if absolute { b'C' } else { b'c' });
         let origin = if absolute { [0; 2] } else { self.at };
         for point in [self.rounded(control[0]), self.rounded(control[1]), to] {
-            self.argument(point[0] - origin[0]);
-            self.argument(point[1] - origin[1]);
+            self.argument(word, point[0] - origin[0]);
+            self.argument(Word::EMPTY, point[1] - origin[1]);
+            word = Word::EMPTY;
         }
         self.at = to;
         Ok(())
@@ -179,15 +226,13 @@ impl<'d> PathData<'d> {
     pub(super) fn arc_to(&mut self, radii: [f64; 2], turn: f64, onwards: bool, end: DVec2) -> io::Result<()> {
         self.document.spill()?;
         let to = self.rounded(end);
-        self.command(b'a');
-        for radius in radii {
-            self.argument(self.decimal.steps(radius));
-        }
-        self.argument_as(FINE, FINE.steps(turn));
-        let one = self.decimal.scale() as i64;
-        self.argument(0);
-        self.argument(if onwards { one } else { 0 });
-        self.displacement(to);
+        let word = self.command(b'a');
+        self.argument(word, self.decimal.steps(radii[0]));
+        self.argument(Word::EMPTY, self.decimal.steps(radii[1]));
+        self.argument_as(Word::EMPTY, FINE, FINE.steps(turn));
+        self.argument(Word::EMPTY, 0);
+        self.argument(Word::EMPTY, if onwards { self.one } else { 0 });
+        self.displacement(Word::EMPTY, to);
         self.at = to;
         Ok(())
     }

@@ -164,7 +164,7 @@ fn lines_are_relative_and_share_attributes() {
         </g>\n\
         <g stroke=\"#f00\" stroke-width=\"2.5\" stroke-dasharray=\"3 1.5\" stroke-linecap=\"round\" \
         stroke-linejoin=\"bevel\">\n\
-        <path d=\"m1 1h0\"/>\n\
+        <path stroke-dasharray=\"none\" d=\"m1 1h0\"/>\n\
         </g>\n"
     );
 }
@@ -183,7 +183,7 @@ fn areas_are_closed_and_clipping_paths_are_reused() {
     });
     let path = "<path d=\"m1 1h2v3h-2z\"/>\n</g>\n";
     let (even, non_zero) = (
-        "<g fill=\"#f00\" stroke=\"#f00\" stroke-width=\".5\">\n",
+        "<g fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\".5\" color=\"#f00\">\n",
         "<g fill=\"#f00\" fill-rule=\"nonzero\">\n",
     );
     assert_eq!(

@@ -161,18 +161,19 @@ fn memory_does_not_grow_with_the_number_of_marks() {
     let mut pdf = Pdf::new(receiver.sink(), &Options::default());
     pdf.begin(&page(1)).unwrap();
     let mut last = 0;
-    for round in 0..10 {
+    for round in 0..30_usize {
         for i in 0..10_000 {
             let at = f64::from(i * 7919 % 10_000) * 0.05;
-            lines(&mut pdf, &[(at, at * 0.7), (f64::from(round), f64::from(i % 811))], pen(0.5));
+            lines(&mut pdf, &[(at, at * 0.7), (round as f64, f64::from(i % 811))], pen(0.5));
         }
         let so_far = receiver.so_far();
-        assert!(so_far > last + 10_000, "round {round}: {so_far} bytes after {last}");
+        // What waits for the thread that deflates is no more than a few rounds.
+        assert!(so_far >= round.saturating_sub(4) * 30_000, "round {round}: {so_far} bytes");
         last = so_far;
     }
     pdf.end().unwrap();
     let rest = receiver.so_far() - last;
-    assert!(rest < 200_000, "{rest} bytes were held back");
+    assert!(rest < 400_000, "{rest} bytes were held back");
     pdf.close().unwrap();
     check_table(&receiver.document());
 }

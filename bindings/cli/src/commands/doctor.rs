@@ -20,9 +20,11 @@ struct Findings {
     own: usize,
 }
 
-/// Prints the findings. Succeeds if one of our libraries has all that is needed.
+/// Prints the findings. Succeeds if something is needed and one of our libraries has all of it.
 pub fn run(path: &Path) -> Result<ExitCode, Failure> {
-    let path = which(path).ok_or_else(|| format!("{}: no such file", path.display()))?;
+    // A file that is here comes before a program of its name.
+    let path = if path.is_file() { Some(path.to_path_buf()) } else { which(path) }
+        .ok_or_else(|| format!("{}: no such file", path.display()))?;
     let offers: Vec<(&Library, BTreeSet<String>)> = LIBRARIES
         .iter()
         .filter_map(|library| Some((library, Binary::read(&library.find().ok()?).ok()?.offered)))
@@ -31,7 +33,7 @@ pub fn run(path: &Path) -> Result<ExitCode, Failure> {
     println!("{}: {}", path.display(), describe(&findings));
     if findings.needs.is_empty() {
         println!("{}", advise(&path, &findings, None));
-        return Ok(if findings.own > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS });
+        return Ok(ExitCode::FAILURE);
     }
     println!("needs {} functions of GKS:", findings.needs.len());
     let mut fits = None;
@@ -78,6 +80,7 @@ fn examine(path: &Path, offers: &[(&Library, BTreeSet<String>)]) -> Result<Findi
     let libraries = loading.libraries.iter().filter(|(name, _)| Library::by_name(name).is_none());
     let others: Vec<&Binary> = libraries.filter_map(|(_, found)| found.as_ref().map(|(_, b)| b)).collect();
     let wanted = others.iter().copied().chain([&loading.program]).flat_map(|binary| &binary.wanted);
+    let wanted = wanted.chain(&loading.program.variables);
     let needs = wanted.filter(|symbol| match original {
         Some((_, original)) => original.offered.contains(*symbol),
         None => known(symbol),
@@ -104,13 +107,7 @@ fn is_ours(symbol: &str) -> bool {
 }
 
 fn describe(findings: &Findings) -> String {
-    let kind = match findings.kind {
-        Kind::Dynamic => "a program",
-        Kind::Static => "a statically linked program",
-        Kind::Library => "a shared library",
-        Kind::Object => "an object",
-        Kind::Archive => "a static library",
-    };
+    let kind = findings.kind.describe();
     match &findings.asked {
         Some((library, name)) => format!("{kind} for the GKS of {} ({name})", library.family),
         None => kind.to_owned(),
@@ -127,7 +124,9 @@ fn advise(path: &Path, findings: &Findings, fits: Option<&Library>) -> String {
         );
     }
     if findings.needs.is_empty() {
-        return "needs no function of GKS that is known here".to_owned();
+        return "needs no function of GKS that is known here; if it draws with a GKS that is linked into it, link it \
+                again with libgks.a in the place of that"
+            .to_owned();
     }
     match (findings.kind, fits) {
         (_, None) => {

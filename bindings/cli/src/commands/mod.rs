@@ -1,5 +1,6 @@
 //! The subcommands of `gks`, one a file.
 
+pub mod bench;
 pub mod compile;
 pub mod coverage;
 pub mod demo;
@@ -12,7 +13,7 @@ pub mod workstations;
 use gks_pipeline::generated::numbers::WORKSTATION_TYPES;
 
 /// The extension of the files of a workstation type; empty if it writes none.
-fn extension(number: i32) -> &'static str {
+pub(crate) fn extension(number: i32) -> &'static str {
     WORKSTATION_TYPES.iter().find(|t| t.number == number).map_or("", |t| t.extension)
 }
 

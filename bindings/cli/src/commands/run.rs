@@ -72,7 +72,11 @@ fn choose(path: &Path, dialect: Option<Dialect>) -> Result<StandIn, Failure> {
         let insists = loading.is_some_and(|loading| loading.insists(&name));
         return Ok(StandIn { library, name, insists });
     }
-    let binary = read.map_err(|error| format!("{error}; name the GKS that it is for with --dialect"))?;
+    let binary = read?;
+    if matches!(binary.kind, Kind::Object | Kind::Archive) {
+        let link = "link it: gks cc or gks fc with its name";
+        return Err(format!("{}: {}, no program; {link}", path.display(), binary.kind.describe()).into());
+    }
     if binary.kind == Kind::Static {
         let relink = "link it again with libgks.a (`gks doctor` says how)";
         return Err(format!("{}: statically linked; {relink}", path.display()).into());

@@ -4,3 +4,6 @@
 
 #[rustfmt::skip]
 pub mod coverage;
+
+#[rustfmt::skip]
+pub mod error_numbers;

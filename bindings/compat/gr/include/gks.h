@@ -1,8 +1,11 @@
-/* The functions of the GKS of the GR framework that this library has.
+/* The functions of the GKS of the GR framework that this library has: the functions gks_..., and the C names of the
+ * draft of 1988 behind them.
  *
  * Coordinates, sizes and colours are in double precision. What has no effect here is listed in bindings/README.md. */
 #ifndef GKS_H
 #define GKS_H
+
+#include <stdio.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,6 +67,15 @@ void gks_delete_seg(int segn);
 void gks_assoc_seg_with_ws(int wkid, int segn);
 void gks_copy_seg_to_ws(int wkid, int segn);
 void gks_set_seg_xform(int segn, double mat[3][2]);
+void gks_initialize_locator(int wkid, int lcdnr, int tnr, double px, double py, int pet, double xmin, double xmax, double ymin, double ymax, int ldr, char *datrec);
+void gks_request_locator(int wkid, int lcdnr, int *stat, int *tnr, double *px, double *py);
+void gks_request_stroke(int wkid, int skdnr, int n, int *stat, int *tnr, int *np, double *pxa, double *pya);
+void gks_request_choice(int wkid, int chdnr, int *stat, int *chnr);
+void gks_request_string(int wkid, int stdnr, int *stat, int *lostr, char *str);
+void gks_get_item(int wkid, int *type, int *lenodr);
+void gks_read_item(int wkid, int lenidr, int maxodr, char *odr);
+void gks_interpret_item(int type, int lenidr, int dimidr, char *idr);
+void gks_inq_segn_ws(int wkid, int n, int *errind, int *ol, int *segn);
 void gks_eval_xform_matrix(double fx, double fy, double transx, double transy, double phi, double scalex, double scaley, int coord, double tran[3][2]);
 void gks_inq_operating_state(int *opsta);
 void gks_inq_level(int *errind, int *lev);
@@ -136,6 +148,156 @@ void gks_set_clip_region(int region);
 void gks_inq_clip_region(int *errind, int *region);
 void gks_set_clip_sector(double start_angle, double end_angle);
 void gks_inq_clip_sector(int *errind, double *start_angle, double *end_angle);
+
+/* The number of the last error. */
+extern int gks_errno;
+
+/* Primitives of gks_gdp. */
+#define GKS_K_GDP_DRAW_PATH 1
+#define GKS_K_GDP_DRAW_LINES 2
+#define GKS_K_GDP_DRAW_MARKERS 3
+#define GKS_K_GDP_DRAW_TRIANGLES 4
+#define GKS_K_GDP_FILL_POLYGONS 5
+
+/* The C names of 1988. A function returns the number of its error; inquiries give it in their last argument. */
+typedef FILE Gfile;
+typedef char Gchar;
+typedef char Gconn;
+typedef double Gfloat;
+typedef int Gwstype;
+typedef int Gint;
+typedef unsigned int Guint;
+typedef long Glong;
+
+typedef enum { GBUNDLED, GINDIVIDUAL } Gasf;
+typedef enum { GCLIP, GNOCLIP } Gclip;
+typedef enum { GCONDITIONALLY, GALWAYS } Gclrflag;
+typedef enum { GWC, GNDC } Gcsw;
+typedef enum { GDC_METRES, GDC_OTHER } Gdevunits;
+typedef enum { GHOLLOW, GSOLID, GPATTERN, GHATCH } Gflinter;
+typedef enum { GOK, GNONE } Gistat;
+typedef enum { GPERFORM, GPOSTPONE } Gregen;
+typedef enum { GAH_NORMAL, GAH_LEFT, GAH_CENTRE, GAH_RIGHT } Gtxhor;
+typedef enum { GAV_NORMAL, GAV_TOP, GAV_CAP, GAV_HALF, GAV_BASE, GAV_BOTTOM } Gtxver;
+typedef enum { GTP_RIGHT, GTP_LEFT, GTP_UP, GTP_DOWN } Gtxpath;
+typedef enum { GP_STRING, GP_CHAR, GP_STROKE } Gtxprec;
+typedef enum { GOUTPUT, GINPUT, GOUTIN, GWISS, GMO, GMI } Gwscat;
+typedef enum { GGKCL, GGKOP, GWSOP, GWSAC, GSGOP } Gopst;
+typedef enum { GLN_SOLID = 1, GLN_DASHED, GLN_DOTTED, GLN_DASHDOT } Glntype;
+typedef enum { GMK_POINT = 1, GMK_PLUS, GMK_STAR, GMK_O, GMK_X } Gmktype;
+
+typedef struct { Gint x, y; } Gipoint;
+typedef struct { Gfloat x, y; } Gpoint;
+typedef struct { Gfloat xmin, xmax, ymin, ymax; } Glimit;
+typedef struct { Gint font; Gtxprec prec; } Gtxfp;
+typedef struct { Gtxhor hor; Gtxver ver; } Gtxalign;
+typedef struct { Gpoint ul, lr; } Grect;
+typedef struct { Guint x_dim, y_dim; } Gidim;
+typedef struct {
+    Gasf ln_type, ln_width, ln_colour, mk_type, mk_size, mk_colour, tx_fp, tx_exp, tx_space, tx_colour, fl_inter,
+        fl_style, fl_colour;
+} Gasfs;
+typedef struct { Gfloat red, green, blue; } Gcobundl;
+typedef struct { Gclip ind; Glimit rec; } Gcliprect;
+typedef struct { Gdevunits units; Gpoint device; Gipoint raster; } Gdspsize;
+typedef struct { Gpoint concat, corner_1, corner_2, corner_3, corner_4; } Gextent;
+typedef struct { Gint transform; Gpoint position; } Gloc;
+typedef struct { Gistat status; Gloc loc; } Gqloc;
+typedef struct { Gistat status; Gchar *string; } Gqstring;
+typedef struct { Gfloat x_scale, y_scale; } Gscale;
+typedef struct { Glimit w, v; } Gtran;
+
+int gopengks(Gfile *err_file, Glong memory);
+int gclosegks(void);
+int gemergencyclosegks(void);
+int gopenws(Gint wsid, Gconn *connection, Gwstype *ws_type);
+int gclosews(Gint wsid);
+int gactivatews(Gint wsid);
+int gdeactivatews(Gint wsid);
+int gconfigurews(Gint wsid);
+int gclearws(Gint wsid, Gclrflag flag);
+int gupdatews(Gint wsid, Gregen flag);
+int gmessage(Gint wsid, Gchar *text);
+int gpolyline(Gint count, Gpoint *points);
+int gpolymarker(Gint count, Gpoint *points);
+int gtext(Gpoint *at, Gchar *text);
+int gfillarea(Gint count, Gpoint *points);
+int gcellarray(Grect *rect, Gidim *size, Gint *colours);
+int gsetasf(Gasfs *flags);
+int gsetlineind(Gint index);
+int gsetlinetype(Gint type);
+int gsetlinewidth(Gfloat width);
+int gsetlinecolourind(Gint index);
+int gsetmarkerind(Gint index);
+int gsetmarkertype(Gint type);
+int gsetmarkersize(Gfloat size);
+int gsetmarkercolourind(Gint index);
+int gsettextind(Gint index);
+int gsettextfontprec(Gtxfp *value);
+int gsetcharexpan(Gfloat factor);
+int gsetcharspace(Gfloat spacing);
+int gsettextcolourind(Gint index);
+int gsetcharheight(Gfloat height);
+int gsetcharup(Gpoint *up);
+int gsettextpath(Gtxpath path);
+int gsettextalign(Gtxalign *value);
+int gsetfillind(Gint index);
+int gsetfillintstyle(Gflinter style);
+int gsetfillstyle(Gint index);
+int gsetfillcolourind(Gint index);
+int gsetcolourrep(Gint wsid, Gint index, Gcobundl *rep);
+int gsetwindow(Gint number, Glimit *window);
+int gsetviewport(Gint number, Glimit *viewport);
+int gselntran(Gint number);
+int gsetclip(Gclip indicator);
+int gsetwswindow(Gint wsid, Glimit *window);
+int gsetwsviewport(Gint wsid, Glimit *viewport);
+int greqloc(Gint wsid, Gint device, Gqloc *response);
+int greqstring(Gint wsid, Gint device, Gqstring *response);
+int gcreateseg(Gint name);
+int gcopysegws(Gint wsid, Gint name);
+int gredrawsegws(Gint wsid);
+int gcloseseg(void);
+int gevaltran(Gpoint *point, Gpoint *shift, Gfloat angle, Gscale *scale, Gcsw coordinates, Gfloat result[2][3]);
+int gsetsegtran(Gint name, Gfloat matrix[2][3]);
+int ginqopst(Gint *state);
+int ginqlevelgks(Gint *level, Gint *error);
+int ginqmaxntrannum(Gint *number, Gint *error);
+int ginqcharheight(Gfloat *height, Gint *error);
+int ginqcharup(Gpoint *up, Gint *error);
+int ginqtextpath(Gint *path, Gint *error);
+int ginqtextalign(Gtxalign *value, Gint *error);
+int ginqlinetype(Gint *type, Gint *error);
+int ginqlinewidth(Gfloat *width, Gint *error);
+int ginqlinecolourind(Gint *index, Gint *error);
+int ginqmarkertype(Gint *type, Gint *error);
+int ginqmarkersize(Gfloat *size, Gint *error);
+int ginqmarkercolourind(Gint *index, Gint *error);
+int ginqtextfontprec(Gtxfp *value, Gint *error);
+int ginqcharexpan(Gfloat *factor, Gint *error);
+int ginqcharspace(Gfloat *spacing, Gint *error);
+int ginqtextcolourind(Gint *index, Gint *error);
+int ginqfillintstyle(Gint *style, Gint *error);
+int ginqfillstyle(Gint *index, Gint *error);
+int ginqfillcolourind(Gint *index, Gint *error);
+int ginqcurntrannum(Gint *number, Gint *error);
+int ginqntran(Gint number, Gtran *transformation, Gint *error);
+int ginqclip(Gcliprect *clipping, Gint *error);
+int ginqwscategory(Gwstype *ws_type, Gint *category, Gint *error);
+int ginqdisplaysize(Gwstype *ws_type, Gdspsize *size, Gint *error);
+int ginqtextextent(Gint wsid, Gpoint *position, Gchar *text, Gextent *extent, Gint *error);
+int ginqnameopenseg(Gint *name, Gint *error);
+
+/* The other way of spelling. */
+#define gsetlinecolorind gsetlinecolourind
+#define gsetmarkercolorind gsetmarkercolourind
+#define gsettextcolorind gsettextcolourind
+#define gsetfillcolorind gsetfillcolourind
+#define gsetcolorrep gsetcolourrep
+#define ginqlinecolorind ginqlinecolourind
+#define ginqmarkercolorind ginqmarkercolourind
+#define ginqtextcolorind ginqtextcolourind
+#define ginqfillcolorind ginqfillcolourind
 
 #ifdef __cplusplus
 }

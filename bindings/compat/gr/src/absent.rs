@@ -19,7 +19,7 @@ macro_rules! no_effect {
     ($($name:ident($($argument:ident: $type:ty),*);)+) => { $(
         /// Has no effect.
         #[unsafe(no_mangle)]
-        extern "C" fn $name($($argument: $type),*) {
+        pub(crate) extern "C" fn $name($($argument: $type),*) {
             $( let _ = $argument; )*
         }
     )+ };
@@ -40,8 +40,6 @@ no_effect! {
     gks_set_background(xmin: f64, xmax: f64, ymin: f64, ymax: f64);
     gks_clear_background();
     gks_set_callback(callback: *const c_void);
-    gks_gdp(n: c_int, x: *const f64, y: *const f64, primitive: c_int, length: c_int, record: *const c_int);
-    gks_ft_gdp(n: c_int, x: *const f64, y: *const f64, primitive: c_int, length: c_int, record: *const c_int);
     gks_ft_text3d(x: f64, y: f64, z: f64, text: *const c_char, axis: c_int, state: *const c_void);
     gks_ft_set_bearing_x_direction(direction: c_int);
     gks_escape(
@@ -51,7 +49,7 @@ no_effect! {
 
 /// Inquires the box of a selection, which is empty.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_bbox(
+pub(crate) extern "C" fn gks_inq_bbox(
     error: Address<c_int>,
     xmin: Address<f64>,
     xmax: Address<f64>,
@@ -64,19 +62,19 @@ extern "C" fn gks_inq_bbox(
 
 /// Loads a font, which fails.
 #[unsafe(no_mangle)]
-extern "C" fn gks_ft_load_user_font(_name: *const c_char, _ignore_errors: c_int) -> c_int {
+pub(crate) extern "C" fn gks_ft_load_user_font(_name: *const c_char, _ignore_errors: c_int) -> c_int {
     -1
 }
 
 /// Gives the direction of bearings of text in three dimensions.
 #[unsafe(no_mangle)]
-extern "C" fn gks_ft_inq_bearing_x_direction(direction: Address<c_int>) {
+pub(crate) extern "C" fn gks_ft_inq_bearing_x_direction(direction: Address<c_int>) {
     direction.set(1);
 }
 
 /// Gives the extent of text in three dimensions, which is nothing.
 #[unsafe(no_mangle)]
-extern "C" fn gks_ft_inq_text3d_extent(
+pub(crate) extern "C" fn gks_ft_inq_text3d_extent(
     _x: f64,
     _y: f64,
     _z: f64,
@@ -92,19 +90,19 @@ extern "C" fn gks_ft_inq_text3d_extent(
 
 /// Gives the distances of a pair of letters, which are none.
 #[unsafe(no_mangle)]
-extern "C" fn gks_ft_get_kerning() -> c_int {
+pub(crate) extern "C" fn gks_ft_get_kerning() -> c_int {
     0
 }
 
 /// Gives the sizes of a letter, which are none.
 #[unsafe(no_mangle)]
-extern "C" fn gks_ft_get_metrics() -> c_int {
+pub(crate) extern "C" fn gks_ft_get_metrics() -> c_int {
     0
 }
 
 /// Gives where a pointer is: nowhere, and no button is pressed.
 #[unsafe(no_mangle)]
-extern "C" fn gks_sample_locator(
+pub(crate) extern "C" fn gks_sample_locator(
     _ws_id: c_int,
     error: Address<c_int>,
     x: Address<f64>,
@@ -119,19 +117,19 @@ extern "C" fn gks_sample_locator(
 
 /// Gives the least difference of coordinates that is drawn.
 #[unsafe(no_mangle)]
-extern "C" fn gks_precision() -> f64 {
+pub(crate) extern "C" fn gks_precision() -> f64 {
     f64::EPSILON
 }
 
 /// Gives the size up to which text is drawn from pictures of letters: any.
 #[unsafe(no_mangle)]
-extern "C" fn gks_text_maxsize() -> c_int {
+pub(crate) extern "C" fn gks_text_maxsize() -> c_int {
     c_int::MAX
 }
 
 /// Gives the height of text on a workstation, which is the one set.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_ws_text_height(text_height: f64, _height: f64) -> f64 {
+pub(crate) extern "C" fn gks_inq_ws_text_height(text_height: f64, _height: f64) -> f64 {
     text_height
 }
 
@@ -141,14 +139,14 @@ struct Block([u8; 16384]);
 
 /// Gives the address of GR's state, which programs only hand back: memory of zeros.
 #[unsafe(no_mangle)]
-extern "C" fn gks_state() -> *const c_void {
+pub(crate) extern "C" fn gks_state() -> *const c_void {
     static STATE: Block = Block([0; 16384]);
     std::ptr::from_ref(&STATE.0).cast()
 }
 
 /// Allocates memory, filled with zeros.
 #[unsafe(no_mangle)]
-extern "C" fn gks_malloc(size: c_int) -> *mut c_void {
+pub(crate) extern "C" fn gks_malloc(size: c_int) -> *mut c_void {
     let size = usize::try_from(size).unwrap_or(0);
     // SAFETY: any size may be asked for.
     let address = unsafe { malloc(size) };
@@ -161,21 +159,21 @@ extern "C" fn gks_malloc(size: c_int) -> *mut c_void {
 
 /// Changes the size of allocated memory.
 #[unsafe(no_mangle)]
-extern "C" fn gks_realloc(address: *mut c_void, size: c_int) -> *mut c_void {
+pub(crate) extern "C" fn gks_realloc(address: *mut c_void, size: c_int) -> *mut c_void {
     // SAFETY: the contract of the crate; a null pointer is allowed.
     unsafe { realloc(address, usize::try_from(size).unwrap_or(0)) }
 }
 
 /// Frees memory.
 #[unsafe(no_mangle)]
-extern "C" fn gks_free(address: *mut c_void) {
+pub(crate) extern "C" fn gks_free(address: *mut c_void) {
     // SAFETY: the contract of the crate; a null pointer is allowed.
     unsafe { free(address) }
 }
 
 /// Copies text into memory of its own.
 #[unsafe(no_mangle)]
-extern "C" fn gks_strdup(text: *const c_char) -> *mut c_char {
+pub(crate) extern "C" fn gks_strdup(text: *const c_char) -> *mut c_char {
     if text.is_null() {
         return std::ptr::null_mut();
     }
@@ -185,7 +183,7 @@ extern "C" fn gks_strdup(text: *const c_char) -> *mut c_char {
 
 /// Gives the value of a variable of the environment; a null pointer where it is not set.
 #[unsafe(no_mangle)]
-extern "C" fn gks_getenv(name: *const c_char) -> *mut c_char {
+pub(crate) extern "C" fn gks_getenv(name: *const c_char) -> *mut c_char {
     if name.is_null() {
         return std::ptr::null_mut();
     }
@@ -195,7 +193,7 @@ extern "C" fn gks_getenv(name: *const c_char) -> *mut c_char {
 
 /// Writes a message to the standard error output. Its placeholders are left as they are.
 #[unsafe(no_mangle)]
-extern "C" fn gks_perror(format: *const c_char) {
+pub(crate) extern "C" fn gks_perror(format: *const c_char) {
     if !format.is_null() {
         // SAFETY: the contract of the crate.
         eprintln!("GKS: {}", unsafe { CStr::from_ptr(format) }.to_string_lossy());

@@ -4,6 +4,7 @@ use gks::{Error, Function, Gks};
 use gks_instance::{ErrorFile, Instance};
 use std::borrow::Cow;
 use std::ffi::{CStr, c_char, c_int};
+use std::sync::atomic::{AtomicI32, Ordering};
 
 /// The error of a value outside of its enumeration.
 const ENUMERATION: i32 = 2000;
@@ -19,7 +20,25 @@ impl<T> Clone for Address<T> {
     }
 }
 
+impl<T> Address<T> {
+    /// The address of a variable of ours.
+    pub(crate) fn of(variable: &mut T) -> Self {
+        Address(variable)
+    }
+
+    /// The address that a pointer in a structure of the program holds.
+    pub(crate) fn at(pointer: *mut T) -> Self {
+        Address(pointer)
+    }
+}
+
 impl<T: Copy> Address<T> {
+    /// The value. Error: 2000 (null pointer).
+    pub(crate) fn get(self, function: Function) -> gks::Result<T> {
+        let value = self.slice(1).first().copied();
+        value.ok_or_else(|| Error::new(ENUMERATION, function).because("null pointer"))
+    }
+
     /// Sets the value, unless the program does not want it.
     pub(crate) fn set(self, value: T) {
         self.set_all([value]);
@@ -72,9 +91,22 @@ pub(crate) fn integer(value: impl TryInto<c_int>) -> c_int {
     value.try_into().unwrap_or(c_int::MAX)
 }
 
+/// The number of the last error, which programs may read.
+#[unsafe(no_mangle)]
+#[allow(non_upper_case_globals, reason = "the name that programs know")]
+static gks_errno: AtomicI32 = AtomicI32::new(0);
+
 /// Logs an error: there is no error handling function to replace.
 fn report(error: &Error, file: &ErrorFile) {
+    gks_errno.store(error.number, Ordering::Relaxed);
     file.write(&format!("{error}\n"));
+}
+
+/// Runs functions, and gives the number of the last error of theirs, or 0.
+pub(crate) fn outcome(f: impl FnOnce()) -> c_int {
+    gks_errno.store(0, Ordering::Relaxed);
+    f();
+    gks_errno.load(Ordering::Relaxed)
 }
 
 /// Runs a function that is not an inquiry. A wrong operating state is found before a wrong argument.

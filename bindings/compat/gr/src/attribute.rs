@@ -11,7 +11,7 @@ macro_rules! setters {
     ($($name:ident($type:ty) $function:ident => $method:ident;)+) => { $(
         #[doc = concat!("Calls `", stringify!($method), "`.")]
         #[unsafe(no_mangle)]
-        extern "C" fn $name(value: $type) {
+        pub(crate) extern "C" fn $name(value: $type) {
             call(Function::$function, |gks| gks.$method(value));
         }
     )+ };
@@ -38,7 +38,7 @@ setters! {
 
 /// SET TEXT FONT AND PRECISION. The precision that GR has for its outline fonts (3) is STROKE.
 #[unsafe(no_mangle)]
-extern "C" fn gks_set_text_fontprec(font: c_int, precision: c_int) {
+pub(crate) extern "C" fn gks_set_text_fontprec(font: c_int, precision: c_int) {
     const F: Function = Function::SetTextFontAndPrecision;
     call(F, |gks| {
         let precision = choice(Precision::from_number(precision.min(Precision::Stroke as c_int)), F)?;
@@ -48,20 +48,20 @@ extern "C" fn gks_set_text_fontprec(font: c_int, precision: c_int) {
 
 /// SET CHARACTER UP VECTOR.
 #[unsafe(no_mangle)]
-extern "C" fn gks_set_text_upvec(x: f64, y: f64) {
+pub(crate) extern "C" fn gks_set_text_upvec(x: f64, y: f64) {
     call(Function::SetCharacterUpVector, |gks| gks.set_character_up_vector((x, y)));
 }
 
 /// SET TEXT PATH.
 #[unsafe(no_mangle)]
-extern "C" fn gks_set_text_path(path: c_int) {
+pub(crate) extern "C" fn gks_set_text_path(path: c_int) {
     const F: Function = Function::SetTextPath;
     call(F, |gks| gks.set_text_path(choice(TextPath::from_number(path), F)?));
 }
 
 /// SET TEXT ALIGNMENT.
 #[unsafe(no_mangle)]
-extern "C" fn gks_set_text_align(horizontal: c_int, vertical: c_int) {
+pub(crate) extern "C" fn gks_set_text_align(horizontal: c_int, vertical: c_int) {
     const F: Function = Function::SetTextAlignment;
     call(F, |gks| {
         let horizontal = choice(Horizontal::from_number(horizontal), F)?;
@@ -71,7 +71,7 @@ extern "C" fn gks_set_text_align(horizontal: c_int, vertical: c_int) {
 
 /// SET FILL AREA INTERIOR STYLE. GR has a style more: solid with a border.
 #[unsafe(no_mangle)]
-extern "C" fn gks_set_fill_int_style(style: c_int) {
+pub(crate) extern "C" fn gks_set_fill_int_style(style: c_int) {
     const F: Function = Function::SetFillAreaInteriorStyle;
     call(F, |gks| {
         let bordered = style == SOLID_WITH_BORDER;
@@ -84,7 +84,7 @@ extern "C" fn gks_set_fill_int_style(style: c_int) {
 
 /// SET ASPECT SOURCE FLAGS.
 #[unsafe(no_mangle)]
-extern "C" fn gks_set_asf(flags: Address<c_int>) {
+pub(crate) extern "C" fn gks_set_asf(flags: Address<c_int>) {
     const F: Function = Function::SetAspectSourceFlags;
     call(F, |gks| {
         let flags: Option<[c_int; 13]> = flags.array(13).try_into().ok();
@@ -95,7 +95,7 @@ extern "C" fn gks_set_asf(flags: Address<c_int>) {
 
 /// SET COLOUR REPRESENTATION.
 #[unsafe(no_mangle)]
-extern "C" fn gks_set_color_rep(ws_id: c_int, index: c_int, red: f64, green: f64, blue: f64) {
+pub(crate) extern "C" fn gks_set_color_rep(ws_id: c_int, index: c_int, red: f64, green: f64, blue: f64) {
     call(Function::SetColourRepresentation, |gks| {
         gks.set_colour_representation(ws_id, index, (red, green, blue))
     });

@@ -41,13 +41,8 @@ fn palette(pixels: &[c_int]) -> Palette {
     }
 }
 
-fn draw(
-    gks: &mut Gks,
-    corner: (f64, f64),
-    scale: (f64, f64),
-    size: (usize, usize),
-    pixels: &[c_int],
-) -> gks::Result<()> {
+/// Gives the colours of pixels to colour indices of all active workstations, and says which index each pixel has.
+pub(crate) fn indices(gks: &mut Gks, pixels: &[c_int]) -> gks::Result<Vec<c_int>> {
     let Palette { colours, cells } = palette(pixels);
     let active: Vec<c_int> = gks.inquire_set_of_active_workstations()?.collect();
     for &id in &active {
@@ -56,6 +51,17 @@ fn draw(
             gks.set_colour_representation(id, index, (part(0), part(8), part(16)))?;
         }
     }
+    Ok(cells)
+}
+
+fn draw(
+    gks: &mut Gks,
+    corner: (f64, f64),
+    scale: (f64, f64),
+    size: (usize, usize),
+    pixels: &[c_int],
+) -> gks::Result<()> {
+    let cells = indices(gks, pixels)?;
     let (width, height) = (scale.0 * size.0 as f64, scale.1 * size.1 as f64);
     // The first row is at the top.
     let (p, q) = ((corner.0, corner.1 + height), (corner.0 + width, corner.1));

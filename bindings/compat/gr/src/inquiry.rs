@@ -11,7 +11,7 @@ const METRES: c_int = 0;
 
 /// INQUIRE OPERATING STATE VALUE.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_operating_state(state: Address<c_int>) {
+pub(crate) extern "C" fn gks_inq_operating_state(state: Address<c_int>) {
     state.set(gks_instance::with(|instance| instance.gks.inquire_operating_state_value()) as c_int);
 }
 
@@ -20,7 +20,7 @@ macro_rules! inquiries {
     ($($name:ident($type:ty) $function:ident => $value:expr;)+) => { $(
         #[doc = concat!("Inquires by `", stringify!($function), "`.")]
         #[unsafe(no_mangle)]
-        extern "C" fn $name(error: Address<c_int>, out: Address<$type>) {
+        pub(crate) extern "C" fn $name(error: Address<c_int>, out: Address<$type>) {
             let value: fn(&Gks) -> gks::Result<$type> = $value;
             inquire(Function::$function, error, |gks| {
                 out.set(value(gks)?);
@@ -58,7 +58,11 @@ inquiries! {
 
 /// INQUIRE TEXT FONT AND PRECISION.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_text_fontprec(error: Address<c_int>, font: Address<c_int>, precision: Address<c_int>) {
+pub(crate) extern "C" fn gks_inq_text_fontprec(
+    error: Address<c_int>,
+    font: Address<c_int>,
+    precision: Address<c_int>,
+) {
     inquire(Function::InquireTextFontAndPrecision, error, |gks| {
         let (number, kind) = gks.inquire_text_font_and_precision()?;
         font.set(number);
@@ -69,7 +73,7 @@ extern "C" fn gks_inq_text_fontprec(error: Address<c_int>, font: Address<c_int>,
 
 /// INQUIRE CHARACTER UP VECTOR.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_text_upvec(error: Address<c_int>, x: Address<f64>, y: Address<f64>) {
+pub(crate) extern "C" fn gks_inq_text_upvec(error: Address<c_int>, x: Address<f64>, y: Address<f64>) {
     inquire(Function::InquireCharacterUpVector, error, |gks| {
         let up = gks.inquire_character_up_vector()?;
         x.set(up.x());
@@ -80,7 +84,7 @@ extern "C" fn gks_inq_text_upvec(error: Address<c_int>, x: Address<f64>, y: Addr
 
 /// INQUIRE TEXT ALIGNMENT.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_text_align(
+pub(crate) extern "C" fn gks_inq_text_align(
     error: Address<c_int>,
     horizontal: Address<c_int>,
     vertical: Address<c_int>,
@@ -98,7 +102,7 @@ macro_rules! elements {
     ($($name:ident $function:ident => |$gks:ident| $list:expr;)+) => { $(
         #[doc = concat!("Inquires by `", stringify!($function), "`.")]
         #[unsafe(no_mangle)]
-        extern "C" fn $name(n: c_int, error: Address<c_int>, length: Address<c_int>, element: Address<c_int>) {
+        pub(crate) extern "C" fn $name(n: c_int, error: Address<c_int>, length: Address<c_int>, element: Address<c_int>) {
             const F: Function = Function::$function;
             inquire(F, error, |$gks| {
                 let list: Vec<c_int> = $list.collect();
@@ -123,7 +127,7 @@ elements! {
 
 /// INQUIRE NORMALIZATION TRANSFORMATION: window and viewport, four limits each.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_xform(
+pub(crate) extern "C" fn gks_inq_xform(
     number: c_int,
     error: Address<c_int>,
     window: Address<f64>,
@@ -139,7 +143,11 @@ extern "C" fn gks_inq_xform(
 
 /// INQUIRE CLIPPING: the indicator and the rectangle, four limits.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_clip(error: Address<c_int>, indicator: Address<c_int>, rectangle: Address<f64>) {
+pub(crate) extern "C" fn gks_inq_clip(
+    error: Address<c_int>,
+    indicator: Address<c_int>,
+    rectangle: Address<f64>,
+) {
     inquire(Function::InquireClipping, error, |gks| {
         let (clip, found) = gks.inquire_clipping()?;
         indicator.set(clip.into());
@@ -150,7 +158,7 @@ extern "C" fn gks_inq_clip(error: Address<c_int>, indicator: Address<c_int>, rec
 
 /// INQUIRE WORKSTATION CONNECTION AND TYPE. A connection that is no number is 0.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_ws_conntype(
+pub(crate) extern "C" fn gks_inq_ws_conntype(
     ws_id: c_int,
     error: Address<c_int>,
     connection: Address<c_int>,
@@ -166,7 +174,7 @@ extern "C" fn gks_inq_ws_conntype(
 
 /// INQUIRE WORKSTATION CATEGORY, of a workstation type.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_ws_category(kind: c_int, error: Address<c_int>, category: Address<c_int>) {
+pub(crate) extern "C" fn gks_inq_ws_category(kind: c_int, error: Address<c_int>, category: Address<c_int>) {
     inquire(Function::InquireWorkstationCategory, error, |gks| {
         category.set(gks.inquire_workstation_category(kind)? as c_int);
         Ok(())
@@ -175,7 +183,7 @@ extern "C" fn gks_inq_ws_category(kind: c_int, error: Address<c_int>, category: 
 
 /// INQUIRE COLOUR REPRESENTATION.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_color_rep(
+pub(crate) extern "C" fn gks_inq_color_rep(
     ws_id: c_int,
     index: c_int,
     _kind: c_int,
@@ -195,7 +203,7 @@ extern "C" fn gks_inq_color_rep(
 
 /// INQUIRE TEXT EXTENT: the concatenation point and the four corners.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_text_extent(
+pub(crate) extern "C" fn gks_inq_text_extent(
     ws_id: c_int,
     x: f64,
     y: f64,
@@ -218,7 +226,7 @@ extern "C" fn gks_inq_text_extent(
 
 /// INQUIRE DISPLAY SPACE SIZE, of a workstation type.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_max_ds_size(
+pub(crate) extern "C" fn gks_inq_max_ds_size(
     kind: c_int,
     error: Address<c_int>,
     unit: Address<c_int>,
@@ -240,7 +248,7 @@ extern "C" fn gks_inq_max_ds_size(
 
 /// Inquires the size of the display surface of a workstation in pixels, and how many device pixels one of them is.
 #[unsafe(no_mangle)]
-extern "C" fn gks_inq_vp_size(
+pub(crate) extern "C" fn gks_inq_vp_size(
     ws_id: c_int,
     error: Address<c_int>,
     width: Address<c_int>,

@@ -1,9 +1,10 @@
 //! The GKS of the GR framework: the library that programs built against its `libGKS.so` load.
 //!
-//! It has the functions `gks_*` with double precision, and the Fortran binding of this project. Everything
+//! It has the functions `gks_*` with double precision, the C names of the draft of 1988 ([`classic`]), and the Fortran
+//! binding of this project. Everything
 //! runs on the kernel that the other bindings share, in the dialect `gr`: the workstation types are those of
 //! GR. What GR has beyond the standard is done where there is something to do it with ([`extension`]);
-//! the rest is remembered, so that inquiries give it back, or has no effect ([`absent`]).
+//! the rest is remembered, so that inquiries give it back, or has no effect ([`absent`], [`private`]).
 //!
 //! # Contract
 //!
@@ -17,11 +18,16 @@
 mod absent;
 mod argument;
 mod attribute;
+mod classic;
 mod control;
 mod extension;
+mod gdp;
 mod image;
+mod input;
 mod inquiry;
 mod output;
+mod path;
+mod private;
 mod transformation;
 
 // The Fortran binding is part of the library: its functions are exported by their own names.

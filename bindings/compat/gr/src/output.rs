@@ -34,24 +34,34 @@ pub(crate) fn translucent(
 /// POLYLINE.
 #[unsafe(no_mangle)]
 extern "C" fn gks_polyline(count: c_int, x: Address<f64>, y: Address<f64>) {
+    polyline(points(count, x, y));
+}
+
+/// POLYLINE, through points as they come.
+pub(crate) fn polyline(points: Points<'_>) {
     call(Function::Polyline, |gks| {
         let index = gks.inquire_polyline_colour_index();
-        translucent(gks, index.ok(), |gks| gks.polyline(points(count, x, y)))
+        translucent(gks, index.ok(), |gks| gks.polyline(points))
     });
 }
 
 /// POLYMARKER.
 #[unsafe(no_mangle)]
 extern "C" fn gks_polymarker(count: c_int, x: Address<f64>, y: Address<f64>) {
+    polymarker(points(count, x, y));
+}
+
+/// POLYMARKER, at points as they come.
+pub(crate) fn polymarker(points: Points<'_>) {
     call(Function::Polymarker, |gks| {
         let index = gks.inquire_polymarker_colour_index();
-        translucent(gks, index.ok(), |gks| gks.polymarker(points(count, x, y)))
+        translucent(gks, index.ok(), |gks| gks.polymarker(points))
     });
 }
 
 /// TEXT.
 #[unsafe(no_mangle)]
-extern "C" fn gks_text(x: f64, y: f64, text: Address<c_char>) {
+pub(crate) extern "C" fn gks_text(x: f64, y: f64, text: Address<c_char>) {
     call(Function::Text, |gks| {
         let index = gks.inquire_text_colour_index();
         translucent(gks, index.ok(), |gks| gks.text((x, y), &text.text()))
@@ -61,19 +71,27 @@ extern "C" fn gks_text(x: f64, y: f64, text: Address<c_char>) {
 /// FILL AREA, with the border that belongs to GR's interior style.
 #[unsafe(no_mangle)]
 extern "C" fn gks_fillarea(count: c_int, x: Address<f64>, y: Address<f64>) {
+    fill_area(points(count, x, y));
+}
+
+/// FILL AREA, around points as they come.
+pub(crate) fn fill_area(points: Points<'_>) {
     call(Function::FillArea, |gks| {
         let index = gks.inquire_fill_area_colour_index();
-        translucent(gks, index.ok(), |gks| gks.fill_area(points(count, x, y)))?;
+        translucent(gks, index.ok(), |gks| gks.fill_area(points))?;
         if extension::with(|state| state.bordered) {
-            border(gks, x.array(count), y.array(count))
+            let mut outline = Vec::with_capacity(points.len() + 1);
+            points.for_each(|p| outline.push((p.x, p.y)));
+            outline.extend(outline.first().copied());
+            border(gks, &outline)
         } else {
             Ok(())
         }
     });
 }
 
-/// Draws the border of an area.
-fn border(gks: &mut Gks, x: &[f64], y: &[f64]) -> gks::Result<()> {
+/// Draws a line in the colour and the width of borders.
+pub(crate) fn border(gks: &mut Gks, line: &[(f64, f64)]) -> gks::Result<()> {
     let (colour, width) = extension::with(|state| (state.border_colour, state.border_width));
     let old = (
         gks.inquire_polyline_colour_index()?,
@@ -83,9 +101,7 @@ fn border(gks: &mut Gks, x: &[f64], y: &[f64]) -> gks::Result<()> {
     gks.set_polyline_colour_index(colour)?;
     gks.set_linewidth_scale_factor(width)?;
     gks.set_linetype(1)?;
-    let closed: Vec<(f64, f64)> =
-        x.iter().chain(x.first()).copied().zip(y.iter().chain(y.first()).copied()).collect();
-    let drawn = translucent(gks, Some(colour), |gks| gks.polyline(Points::Tuples(&closed)));
+    let drawn = translucent(gks, Some(colour), |gks| gks.polyline(Points::Tuples(line)));
     gks.set_polyline_colour_index(old.0)?;
     gks.set_linewidth_scale_factor(old.1)?;
     gks.set_linetype(old.2)?;
@@ -94,7 +110,7 @@ fn border(gks: &mut Gks, x: &[f64], y: &[f64]) -> gks::Result<()> {
 
 /// CELL ARRAY: a part of an array, which starts at (column, row), counted from 1.
 #[unsafe(no_mangle)]
-extern "C" fn gks_cellarray(
+pub(crate) extern "C" fn gks_cellarray(
     px: f64,
     py: f64,
     qx: f64,

@@ -1,7 +1,9 @@
 /* The binding of GKS to C of the draft of 1988, as XGKS has it, in this library.
  *
  * Functions return 0 or the number of an error. Lists that inquiries return are allocated with malloc and
- * belong to the program. Functions of input and of GKS metafiles refuse their work in this binding. */
+ * belong to the program, as do the points of GET STROKE. Other points and strings that an operator enters go where the
+ * structure points to that the program hands over, which has room for as many as the buffer of the device holds: 64
+ * points and 1024 bytes, if the program has not set another size. */
 #ifndef XGKS_H
 #define XGKS_H
 
@@ -12,7 +14,7 @@ extern "C" {
 #endif
 
 typedef int Gint;
-typedef long Glong;
+typedef int Glong;
 typedef char Gchar;
 typedef float Gfloat;
 typedef FILE Gfile;
@@ -22,6 +24,16 @@ typedef FILE Gfile;
 typedef enum Gacf { GCURRENT, GSPECIFIED } Gacf;
 typedef enum Gasf { GBUNDLED, GINDIVIDUAL } Gasf;
 typedef enum Gattrs { GPOLYLINE, GPOLYMARKER, GTEXT, GFILLAREA } Gattrs;
+typedef enum Gcstat { GC_OK, GC_NOCHOICE, GC_NONE } Gcstat;
+typedef enum Gprflag { GPROFF, GPRON } Gprflag;
+typedef enum Gimode { GREQUEST, GSAMPLE, GEVENT } Gimode;
+typedef enum Gesw { GECHO, GNOECHO } Gesw;
+typedef enum Gpfcf { GPF_POLYLINE, GPF_FILLAREA } Gpfcf;
+typedef enum Giclass { GNCLASS, GLOCATOR, GISTROKE, GVALUATOR, GCHOICE, GPICK, GISTRING } Giclass;
+typedef enum Gistat { GOK, GNONE } Gistat;
+typedef enum Glastev { GLAST, GNOTLAST } Glastev;
+typedef enum Gpstat { GP_OK, GP_NOPICK, GP_NONE } Gpstat;
+typedef enum Gsimultev { GNOMORE, GMORE } Gsimultev;
 typedef enum Gclip { GCLIP, GNOCLIP } Gclip;
 typedef enum Gclrflag { GCONDITIONALLY, GALWAYS } Gclrflag;
 typedef enum Gcoavail { GCOLOUR, GMONOCHROME } Gcoavail;
@@ -150,6 +162,116 @@ typedef struct Gwsmax { Gint open, active, assoc; } Gwsmax;
 typedef struct Gwstables { Gint line, mark, text, fill, pat, colour; } Gwstables;
 typedef struct Gwstran { Glimit w, v; } Gwstran;
 typedef struct Gwsti { Gwstus wstus; Gwstran request, current; } Gwsti;
+
+/* What a data record says that holds nothing but data of the implementation, of which there are none. */
+#define XGKS_NONE struct { Gchar *data; }
+
+typedef struct Glnattr { Gasf type, width, colour; Gint line; Glnbundl bundl; } Glnattr;
+typedef struct Gmkattr { Gasf type, size, colour; Gint mark; Gmkbundl bundl; } Gmkattr;
+typedef struct Gtxattr { Gasf fp, tx_exp, space, colour; Gint text; Gtxbundl bundl; } Gtxattr;
+typedef struct Gflattr { Gasf inter, style, colour; Gint fill; Gflbundl bundl; } Gflattr;
+
+/* Locators. */
+typedef struct Gloc { Gint transform; Gpoint position; } Gloc;
+typedef struct Gqloc { Gistat status; Gloc loc; } Gqloc;
+typedef union Glocrec {
+    XGKS_NONE pet1;
+    XGKS_NONE pet2;
+    XGKS_NONE pet3;
+    struct { Gacf acf; Glnattr ln; Gchar *data; } pet4;
+    struct { Gpfcf pfcf; Gacf acf; union { Glnattr ln; Gflattr fl; } attr; Gchar *data; } pet5;
+    XGKS_NONE pet6;
+} Glocrec;
+typedef struct Glocst { Gimode mode; Gesw esw; Gloc loc; Gint pet; Glimit e_area; Glocrec record; } Glocst;
+typedef struct Gdefloc { Gpoint position; Gintlist pets; Glimit e_area; Glocrec record; } Gdefloc;
+
+/* Stroke devices. */
+#define XGKS_BUFFER Gint bufsiz, editpos; Gpoint interval; Gfloat time
+
+typedef struct Gstroke { Gint transform, n_points; Gpoint *points; } Gstroke;
+typedef struct Gqstroke { Gistat status; Gstroke stroke; } Gqstroke;
+typedef union Gstrokerec {
+    struct { XGKS_BUFFER; Gchar *data; } pet1;
+    struct { XGKS_BUFFER; Gchar *data; } pet2;
+    struct { XGKS_BUFFER; Gacf acf; Gmkattr mk; Gchar *data; } pet3;
+    struct { XGKS_BUFFER; Gacf acf; Glnattr ln; Gchar *data; } pet4;
+} Gstrokerec;
+typedef struct Gstrokest {
+    Gimode mode;
+    Gesw esw;
+    Gstroke stroke;
+    Gint pet;
+    Glimit e_area;
+    Gstrokerec record;
+} Gstrokest;
+typedef struct Gdefstroke { Gint bufsiz; Gintlist pets; Glimit e_area; Gstrokerec record; } Gdefstroke;
+
+/* Valuators. */
+typedef struct Gqval { Gistat status; Gfloat val; } Gqval;
+typedef union Gvalrec {
+    struct { Gfloat low, high; Gchar *data; } pet1;
+    struct { Gfloat low, high; Gchar *data; } pet2;
+    struct { Gfloat low, high; Gchar *data; } pet3;
+} Gvalrec;
+typedef struct Gvalst { Gimode mode; Gesw esw; Gfloat val; Gint pet; Glimit e_area; Gvalrec record; } Gvalst;
+typedef struct Gdefval { Gfloat value; Gintlist pets; Glimit e_area; Gvalrec record; } Gdefval;
+
+/* Choice devices. */
+typedef struct Gchoice { Gcstat status; Gint choice; } Gchoice;
+typedef union Gchoicerec {
+    XGKS_NONE pet1;
+    struct { Gint number; Gprflag *enable; Gchar *data; } pet2;
+    struct { Gint number; Gchar **strings; Gchar *data; } pet3;
+    struct { Gint number; Gchar **strings; Gchar *data; } pet4;
+    struct { Gint seg, number; Gint *pickids; Gchar *data; } pet5;
+} Gchoicerec;
+typedef struct Gchoicest {
+    Gimode mode;
+    Gesw esw;
+    Gchoice choice;
+    Gint pet;
+    Glimit e_area;
+    Gchoicerec record;
+} Gchoicest;
+typedef struct Gdefchoice { Gint choices; Gintlist pets; Glimit e_area; Gchoicerec record; } Gdefchoice;
+
+/* Pick devices. */
+typedef struct Gpick { Gpstat status; Gint seg, pickid; } Gpick;
+typedef union Gpickrec {
+    XGKS_NONE pet1;
+    XGKS_NONE pet2;
+    XGKS_NONE pet3;
+} Gpickrec;
+typedef struct Gpickst { Gimode mode; Gesw esw; Gpick pick; Gint pet; Glimit e_area; Gpickrec record; } Gpickst;
+typedef struct Gdefpick { Gintlist pets; Glimit e_area; Gpickrec record; } Gdefpick;
+
+/* String devices. */
+typedef struct Gqstring { Gistat status; Gchar *string; } Gqstring;
+typedef union Gstringrec { struct { Gint bufsiz, position; Gchar *data; } pet1; } Gstringrec;
+typedef struct Gstringst {
+    Gimode mode;
+    Gesw esw;
+    Gchar *string;
+    Gint pet;
+    Glimit e_area;
+    Gstringrec record;
+} Gstringst;
+typedef struct Gdefstring { Gint bufsiz; Gintlist pets; Glimit e_area; Gstringrec record; } Gdefstring;
+
+/* Events, and how many devices there are. C++ has no member of the name that C programs know. */
+#ifdef __cplusplus
+#define XGKS_CLASS in_class
+#else
+#define XGKS_CLASS class
+#endif
+
+typedef struct Gevent { Gint ws, dev; Giclass XGKS_CLASS; } Gevent;
+typedef struct Gqueue { Giclass XGKS_CLASS; Gint devno; } Gqueue;
+typedef struct Gnumdev { Gint locator, stroke, valuator, choice, pick, string; } Gnumdev;
+
+/* Data records of escapes, which hold nothing. */
+typedef union Gescin { struct { Gint dummy; } escid1; struct { Gint dummy; } escid2; } Gescin;
+typedef union Gescout { struct { Gint dummy; } escid1; struct { Gint dummy; } escid2; } Gescout;
 
 Gint gopenws(Gint wsid, Gchar *connection, Gchar *ws_type);
 Gint gclosews(Gint wsid);
@@ -285,6 +407,72 @@ Gint ginqgdp(Gchar *type, Gint function, Ggdpfac *fac);
 Gint gsetpatsize(Gpoint *siz);
 Gint gsetpatrefpt(Gpoint *ref);
 
+/* Input. */
+Gint ginitloc(Gint wsid, Gint dev, Gloc *init, Gint pet, Glimit *area, Glocrec *record);
+Gint ginitstroke(Gint wsid, Gint dev, Gstroke *init, Gint pet, Glimit *area, Gstrokerec *record);
+Gint ginitval(Gint wsid, Gint dev, Gfloat init, Gint pet, Glimit *area, Gvalrec *record);
+Gint ginitchoice(Gint wsid, Gint dev, Gchoice *init, Gint pet, Glimit *area, Gchoicerec *record);
+Gint ginitpick(Gint wsid, Gint dev, Gpick *init, Gint pet, Glimit *area, Gpickrec *record);
+Gint ginitstring(Gint wsid, Gint dev, Gchar *init, Gint pet, Glimit *area, Gstringrec *record);
+Gint gsetlocmode(Gint wsid, Gint dev, Gimode mode, Gesw echo);
+Gint gsetstrokemode(Gint wsid, Gint dev, Gimode mode, Gesw echo);
+Gint gsetvalmode(Gint wsid, Gint dev, Gimode mode, Gesw echo);
+Gint gsetchoicemode(Gint wsid, Gint dev, Gimode mode, Gesw echo);
+Gint gsetpickmode(Gint wsid, Gint dev, Gimode mode, Gesw echo);
+Gint gsetstringmode(Gint wsid, Gint dev, Gimode mode, Gesw echo);
+Gint greqloc(Gint wsid, Gint dev, Gqloc *response);
+Gint greqstroke(Gint wsid, Gint dev, Gqstroke *response);
+Gint greqval(Gint wsid, Gint dev, Gqval *response);
+Gint greqchoice(Gint wsid, Gint dev, Gchoice *response);
+Gint greqpick(Gint wsid, Gint dev, Gpick *response);
+Gint greqstring(Gint wsid, Gint dev, Gqstring *response);
+Gint gsampleloc(Gint wsid, Gint dev, Gloc *response);
+Gint gsamplestroke(Gint wsid, Gint dev, Gstroke *response);
+Gint gsampleval(Gint wsid, Gint dev, Gfloat *response);
+Gint gsamplechoice(Gint wsid, Gint dev, Gchoice *response);
+Gint gsamplepick(Gint wsid, Gint dev, Gpick *response);
+Gint gsamplestring(Gint wsid, Gint dev, Gchar *response);
+Gint gawaitevent(Gfloat timeout, Gevent *event);
+Gint gflushevents(Gint wsid, Giclass in_class, Gint dev);
+Gint ggetloc(Gloc *response);
+Gint ggetstroke(Gstroke *response);
+Gint ggetval(Gfloat *response);
+Gint ggetchoice(Gchoice *response);
+Gint ggetpick(Gpick *response);
+Gint ggetstring(Gchar *response);
+Gint gsetpickid(Gint pick_id);
+Gint ginqcurpickid(Gint *pickid);
+Gint ginqmoreevents(Gsimultev *events);
+Gint ginqinputoverflow(Gqueue *overflow);
+Gint ginqnumavailinput(Gchar *ws_type, Gnumdev *num);
+Gint ginqlocst(Gint wsid, Gint dev, Gqtype type, Glocst *state);
+Gint ginqstrokest(Gint wsid, Gint dev, Gqtype type, Gstrokest *state);
+Gint ginqvalst(Gint wsid, Gint dev, Gvalst *state);
+Gint ginqchoicest(Gint wsid, Gint dev, Gchoicest *state);
+Gint ginqpickst(Gint wsid, Gint dev, Gqtype type, Gpickst *state);
+Gint ginqstringst(Gint wsid, Gint dev, Gstringst *state);
+Gint ginqdefloc(Gchar *ws_type, Gint dev, Gdefloc *data);
+Gint ginqdefstroke(Gchar *ws_type, Gint dev, Gdefstroke *data);
+Gint ginqdefval(Gchar *ws_type, Gint dev, Gdefval *data);
+Gint ginqdefchoice(Gchar *ws_type, Gint dev, Gdefchoice *data);
+Gint ginqdefpick(Gchar *ws_type, Gint dev, Gdefpick *data);
+Gint ginqdefstring(Gchar *ws_type, Gint dev, Gdefstring *data);
+
+/* GKS metafiles. What a program reads is a structure for the type of the item. */
+Gint gwritegksm(Gint wsid, Gint type, Gint length, Gchar *data);
+Gint ggetgksm(Gint wsid, Ggksmit *result);
+Gint greadgksm(Gint wsid, Gint length, Gchar *record);
+Gint ginterpret(Ggksmit *info, Gchar *data);
+
+/* The file that is connected to a Fortran unit, and a data record as Fortran has it. */
+Gchar *getlunname(Gint lun);
+Gint gprecc(Gint il, Gint *ia, Gint rl, Gfloat *ra, Gint sl, Gint *lstr, Gchar **str, Gint mldr, Gint *errind,
+    Gint *ldr, Gchar *datarec);
+
+/* Display, window and graphics context of a window, of which there are none. */
+Gint gescinqxattr(Gint wsid, void *display, void *window, void *gc);
+Gint gescredrawnotify(Gint wsid, Gint (*notify)(Gint wsid, Gredraw who));
+
 /* The other way of spelling. */
 #define gsetcolorrep gsetcolourrep
 #define ginqcolorrep ginqcolourrep
@@ -297,6 +485,21 @@ Gint gsetpatrefpt(Gpoint *ref);
 #define gsettextcolorind gsettextcolourind
 #define gescsetcolormask gescsetcolourmask
 #define GCOLOR GCOLOUR
+#define GDC_METERS GDC_METRES
+#define ln_color ln_colour
+#define mk_color mk_colour
+#define tx_color tx_colour
+#define fl_color fl_colour
+#define colors colours
+#define color colour
+#define lncolor lncolour
+#define mkcolor mkcolour
+#define txcolor txcolour
+#define flcolor flcolour
+
+/* Older names. */
+#define gxconfig(ws) gescsetbackingstore(ws, 1)
+#define gxname(name) gescsetprogname(name)
 #define GTH_CENTER GTH_CENTRE
 
 #ifdef __cplusplus

@@ -17,6 +17,7 @@ mod c;
 mod escape;
 mod memory;
 mod picture;
+mod state;
 mod table;
 mod text_vector;
 

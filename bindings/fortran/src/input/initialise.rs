@@ -1,8 +1,9 @@
 //! INITIALISE and SET MODE.
 
-use super::{characters, record};
+use super::characters;
 use crate::argument::{Character, Integer, Real};
 use crate::call::{call, subroutines};
+use crate::data_record::lines;
 use gks::{Function, Points};
 use gks_instance::from_latin1;
 
@@ -17,8 +18,8 @@ subroutines! {
         xmin: Real, xmax: Real, ymin: Real, ymax: Real, ldr: Integer, datrec: Character, _length: usize,
     ) InitialiseLocator => |gks| {
         let (position, area) = ((ipx.real(), ipy.real()), area(xmin, xmax, ymin, ymax));
-        let record = record(F, ldr, datrec)?;
-        gks.initialise_locator(wkid.get(), lcdnr.get(), tnr.get(), position, pet.get(), area, &record)
+        let record = lines(ldr, datrec);
+        gks.initialise_locator(wkid.get(), lcdnr.get(), tnr.get(), position, pet.get(), area, record)
     };
     ginsk_(
         wkid: Integer, skdnr: Integer, tnr: Integer, n: Integer, ipx: Real, ipy: Real, pet: Integer,
@@ -27,8 +28,8 @@ subroutines! {
     ) InitialiseStroke => |gks| {
         let points = Points::SplitSingles(ipx.slice(0, n.count()), ipy.slice(0, n.count()));
         let (id, number, area) = (wkid.get(), skdnr.get(), area(xmin, xmax, ymin, ymax));
-        let record = record(F, ldr, datrec)?;
-        gks.initialise_stroke(id, number, tnr.get(), points, pet.get(), area, buflen.get(), &record)
+        let record = lines(ldr, datrec);
+        gks.initialise_stroke(id, number, tnr.get(), points, pet.get(), area, buflen.get(), record)
     };
     ginvl_(
         wkid: Integer, vldnr: Integer, ival: Real, pet: Integer,
@@ -36,9 +37,8 @@ subroutines! {
         ldr: Integer, datrec: Character, _length: usize,
     ) InitialiseValuator => |gks| {
         let (id, number, area) = (wkid.get(), vldnr.get(), area(xmin, xmax, ymin, ymax));
-        let record = record(F, ldr, datrec)?;
         let (low, high) = (loval.real(), hival.real());
-        gks.initialise_valuator(id, number, ival.real(), pet.get(), area, low, high, &record)
+        gks.initialise_valuator(id, number, ival.real(), pet.get(), area, low, high, lines(ldr, datrec))
     };
     ginch_(
         wkid: Integer, chdnr: Integer, istat: Integer, ichnr: Integer, pet: Integer,
@@ -46,8 +46,7 @@ subroutines! {
     ) InitialiseChoice => |gks| {
         let (id, number, area) = (wkid.get(), chdnr.get(), area(xmin, xmax, ymin, ymax));
         let status = istat.choice(F)?;
-        let record = record(F, ldr, datrec)?;
-        gks.initialise_choice(id, number, status, ichnr.get(), pet.get(), area, &record)
+        gks.initialise_choice(id, number, status, ichnr.get(), pet.get(), area, lines(ldr, datrec))
     };
     ginpk_(
         wkid: Integer, pkdnr: Integer, istat: Integer, isgna: Integer, ipkid: Integer, pet: Integer,
@@ -55,8 +54,7 @@ subroutines! {
     ) InitialisePick => |gks| {
         let (id, number, area) = (wkid.get(), pkdnr.get(), area(xmin, xmax, ymin, ymax));
         let status = istat.choice(F)?;
-        let record = record(F, ldr, datrec)?;
-        gks.initialise_pick(id, number, status, isgna.get(), ipkid.get(), pet.get(), area, &record)
+        gks.initialise_pick(id, number, status, isgna.get(), ipkid.get(), pet.get(), area, lines(ldr, datrec))
     };
     gslcm_(wkid: Integer, lcdnr: Integer, mode: Integer, esw: Integer) SetLocatorMode
         => |gks| gks.set_locator_mode(wkid.get(), lcdnr.get(), mode.choice(F)?, esw.choice(F)?);
@@ -95,8 +93,8 @@ extern "C" fn ginst_(
     call(F, |gks| {
         let (id, number, area) = (wkid.get(), stdnr.get(), area(xmin, xmax, ymin, ymax));
         let string = from_latin1(characters(istr, lstr, istr_length));
-        let record = record(F, ldr, datrec)?;
-        gks.initialise_string(id, number, &string, pet.get(), area, buflen.get(), inipos.get(), &record)
+        let record = lines(ldr, datrec);
+        gks.initialise_string(id, number, &string, pet.get(), area, buflen.get(), inipos.get(), record)
     });
 }
 

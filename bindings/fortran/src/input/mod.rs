@@ -7,7 +7,7 @@ mod request;
 
 use crate::answer::{Clear, Output, TOO_SMALL};
 use crate::argument::{Argument, Character, Enumeration, Integer, Real, integer};
-use crate::data_record::{LINE, lines};
+use crate::data_record::LINE;
 use gks::{
     DataRecord, Error, Function, InputClass, InputStatus, LocatorValue, OperatingMode, PickValue, StrokeValue,
 };
@@ -31,14 +31,6 @@ macro_rules! enumerations {
 }
 
 enumerations! { InputClass, InputStatus, OperatingMode }
-
-/// The data record of an INITIALISE function; none where there is no line of it. Error: 146.
-pub(crate) fn record(function: Function, ldr: Integer, datrec: Character) -> gks::Result<DataRecord> {
-    match lines(ldr, datrec) {
-        [] => Ok(DataRecord::default()),
-        lines => DataRecord::unpack(lines).map_err(|_| Error::new(146, function)),
-    }
-}
 
 /// The two variables of an abscissa and an ordinate.
 type Pair = (Real, Real);

@@ -1,7 +1,7 @@
 //! U. Jugel, Z. Jerzak, G. Hackenbroich and V. Markl, "M4: A Visualization-Oriented Time Series Data Aggregation",
 //! Proceedings of the VLDB Endowment 7(10), 2014: reducing a polyline to four vertices a column.
 
-use crate::path::is_usable;
+use crate::path::{LARGEST, is_usable};
 use glam::DVec2;
 
 /// Gives the first, the lowest, the highest and the last vertex of each run of vertices within one column.
@@ -10,30 +10,28 @@ use glam::DVec2;
 /// however much its y leaps; of any other it leaves out little. A column as wide as a pixel changes hardly a pixel of the
 /// line drawn, while the vertices drop to four for each column.
 pub fn m4(path: impl IntoIterator<Item = DVec2>, tolerance: f64, mut emit: impl FnMut(DVec2)) {
-    let mut run: Option<Run> = None;
-    for p in path {
-        let column = (p.x / tolerance).floor();
-        if let Some(run) = run.as_mut().filter(|run| run.column == column && is_usable(p)) {
-            run.take(p);
-            continue;
+    // Nothing lies in the column of no run.
+    let mut run = Run::new(DVec2::NAN, (1.0, 0.0));
+    path.into_iter().for_each(|p| {
+        if run.column.0 <= p.x && p.x < run.column.1 && p.y.abs() <= LARGEST {
+            return run.take(p);
         }
-        if let Some(run) = run.take() {
-            run.give(&mut emit);
-        }
-        if is_usable(p) && column.is_finite() && tolerance > 0.0 {
-            run = Some(Run { column, count: 1, first: p, lowest: (0, p), highest: (0, p), last: p });
+        run.give(&mut emit);
+        let left = (p.x / tolerance).floor() * tolerance;
+        if is_usable(p) && left.is_finite() && tolerance > 0.0 {
+            run = Run::new(p, (left, left + tolerance));
         } else {
+            run = Run::new(DVec2::NAN, (1.0, 0.0));
             emit(p);
         }
-    }
-    if let Some(run) = run {
-        run.give(&mut emit);
-    }
+    });
+    run.give(&mut emit);
 }
 
 /// Vertices one after the other in one column; the extremes with their places in the run.
 struct Run {
-    column: f64,
+    /// Where it begins and ends.
+    column: (f64, f64),
     count: u64,
     first: DVec2,
     lowest: (u64, DVec2),
@@ -42,6 +40,12 @@ struct Run {
 }
 
 impl Run {
+    fn new(p: DVec2, column: (f64, f64)) -> Self {
+        let count = u64::from(!p.is_nan());
+        Run { column, count, first: p, lowest: (0, p), highest: (0, p), last: p }
+    }
+
+    #[inline]
     fn take(&mut self, p: DVec2) {
         if p.y < self.lowest.1.y {
             self.lowest = (self.count, p);
@@ -53,7 +57,10 @@ impl Run {
         self.count += 1;
     }
 
-    fn give(self, emit: &mut impl FnMut(DVec2)) {
+    fn give(&self, emit: &mut impl FnMut(DVec2)) {
+        if self.count == 0 {
+            return;
+        }
         emit(self.first);
         let (one, other) = if self.lowest.0 < self.highest.0 {
             (self.lowest, self.highest)

@@ -3,7 +3,7 @@
 use super::measure;
 use super::value::{InputValue, LocatorValue, OfClass, OperatingMode, PickValue, StrokeValue};
 use super::{logical, pick};
-use crate::gks::device_error;
+use crate::gks::receiving_error;
 use crate::{Error, Function, Gks, Result};
 use gks_pipeline::input::{InputClass, LogicalDevice, Measure, Report};
 use gks_pipeline::workstation::Workstation;
@@ -17,7 +17,7 @@ impl Gks {
     ///
     /// Gives the workstation, the class and the number of the device; none if the time is over, and also as soon
     /// as nobody can make an event any more. Errors: 7, 147 (reports have been lost; nothing is done, and the
-    /// next call will do it), 151 (timeout), 303.
+    /// next call will do it), 151 (timeout), 303, 305.
     pub fn await_event(&mut self, timeout: f64) -> Result<Option<(i32, InputClass, i32)>> {
         const F: Function = Function::AwaitEvent;
         self.check_state(F)?;
@@ -56,7 +56,7 @@ impl Gks {
                 let patience = [slice, left].into_iter().flatten().min();
                 let Some(open) = self.workstations.get_mut(&id) else { continue };
                 let report = match open.workstation.input() {
-                    Some(operator) => operator.wait(patience).map_err(|e| device_error(function, &e))?,
+                    Some(operator) => operator.wait(patience).map_err(|e| receiving_error(function, &e))?,
                     None => Report::Gone,
                 };
                 match report {

@@ -4,7 +4,7 @@ use super::device::{Device, default_detail, prompts};
 use super::value::{InputStatus, InputValue, LocatorValue, OperatingMode, PickValue, StrokeValue};
 use super::{logical, no_device, record};
 use crate::workstation_transformation::on_display;
-use crate::{DataRecord, Error, Function, Gks, Points, Result};
+use crate::{DataRecord, Error, Function, GivenRecord, Gks, Points, Result};
 use gks_geometry::{Dc, Point, Rect, Wc};
 use gks_pipeline::input::{Detail, InputClass};
 
@@ -13,7 +13,7 @@ struct Prompting<'a> {
     number: i32,
     prompt: i32,
     area: Rect<Dc>,
-    record: &'a DataRecord,
+    record: GivenRecord<'a>,
 }
 
 impl Gks {
@@ -24,7 +24,7 @@ impl Gks {
     /// 144 (prompt and echo type), 145 (echo area not on the display surface), 146 (data record), 152 (no such
     /// transformation, or a position outside of its window).
     #[allow(clippy::too_many_arguments, reason = "the function of the standard has as many")]
-    pub fn initialise_locator(
+    pub fn initialise_locator<'a>(
         &mut self,
         id: i32,
         number: i32,
@@ -32,12 +32,12 @@ impl Gks {
         position: impl Into<Point<Wc>>,
         prompt: i32,
         area: impl Into<Rect<Dc>>,
-        record: &DataRecord,
+        record: impl Into<GivenRecord<'a>>,
     ) -> Result<()> {
         const F: Function = Function::InitialiseLocator;
-        let prompting = Prompting { number, prompt, area: area.into(), record };
+        let prompting = Prompting { number, prompt, area: area.into(), record: record.into() };
         let position = position.into();
-        self.initialise(F, id, InputClass::Locator, &prompting, |gks, _| {
+        self.initialise(F, id, InputClass::Locator, &prompting, |gks, _, record| {
             let detail = record::locator(prompt, record).ok_or(146)?;
             gks.check_positions(transformation, &[position])?;
             Ok((InputValue::Locator(LocatorValue { transformation, position }), detail))
@@ -59,12 +59,12 @@ impl Gks {
         prompt: i32,
         area: impl Into<Rect<Dc>>,
         buffer: i32,
-        record: &DataRecord,
+        record: impl Into<GivenRecord<'a>>,
     ) -> Result<()> {
         const F: Function = Function::InitialiseStroke;
-        let prompting = Prompting { number, prompt, area: area.into(), record };
+        let prompting = Prompting { number, prompt, area: area.into(), record: record.into() };
         let given = points.into();
-        self.initialise(F, id, InputClass::Stroke, &prompting, |gks, usual| {
+        self.initialise(F, id, InputClass::Stroke, &prompting, |gks, usual, record| {
             let open = gks.workstation(F, id).map_err(|error| error.number)?;
             let map = gks.normalization.to_ndc(transformation).then(&open.workstation.device_map());
             let detail = record::stroke(buffer, &map, &usual, record).ok_or(146)?;
@@ -82,7 +82,7 @@ impl Gks {
     ///
     /// Errors: as INITIALISE LOCATOR; 146 also for limits out of order, 152 for a value that is not between them.
     #[allow(clippy::too_many_arguments, reason = "the function of the standard has as many")]
-    pub fn initialise_valuator(
+    pub fn initialise_valuator<'a>(
         &mut self,
         id: i32,
         number: i32,
@@ -91,11 +91,11 @@ impl Gks {
         area: impl Into<Rect<Dc>>,
         low: f64,
         high: f64,
-        record: &DataRecord,
+        record: impl Into<GivenRecord<'a>>,
     ) -> Result<()> {
         const F: Function = Function::InitialiseValuator;
-        let prompting = Prompting { number, prompt, area: area.into(), record };
-        self.initialise(F, id, InputClass::Valuator, &prompting, |_, _| {
+        let prompting = Prompting { number, prompt, area: area.into(), record: record.into() };
+        self.initialise(F, id, InputClass::Valuator, &prompting, |_, _, _| {
             let detail = record::valuator(low, high).ok_or(146)?;
             if (low..=high).contains(&value) { Ok((InputValue::Valuator(value), detail)) } else { Err(152) }
         })
@@ -105,7 +105,7 @@ impl Gks {
     ///
     /// Errors: as INITIALISE LOCATOR; 152 for another status or a number that is not one of an alternative.
     #[allow(clippy::too_many_arguments, reason = "the function of the standard has as many")]
-    pub fn initialise_choice(
+    pub fn initialise_choice<'a>(
         &mut self,
         id: i32,
         number: i32,
@@ -113,11 +113,11 @@ impl Gks {
         choice: i32,
         prompt: i32,
         area: impl Into<Rect<Dc>>,
-        record: &DataRecord,
+        record: impl Into<GivenRecord<'a>>,
     ) -> Result<()> {
         const F: Function = Function::InitialiseChoice;
-        let prompting = Prompting { number, prompt, area: area.into(), record };
-        self.initialise(F, id, InputClass::Choice, &prompting, |_, _| {
+        let prompting = Prompting { number, prompt, area: area.into(), record: record.into() };
+        self.initialise(F, id, InputClass::Choice, &prompting, |_, _, record| {
             let detail = record::choice(prompt, record).ok_or(146)?;
             let known = matches!(&detail, Detail::Choice { alternatives, .. } if (1..=*alternatives).contains(&choice));
             match status {
@@ -133,7 +133,7 @@ impl Gks {
     /// Errors: as INITIALISE LOCATOR, with 37 in the place of 38; 152 for another status, a name that no segment
     /// can have or a negative pick identifier.
     #[allow(clippy::too_many_arguments, reason = "the function of the standard has as many")]
-    pub fn initialise_pick(
+    pub fn initialise_pick<'a>(
         &mut self,
         id: i32,
         number: i32,
@@ -142,11 +142,11 @@ impl Gks {
         identifier: i32,
         prompt: i32,
         area: impl Into<Rect<Dc>>,
-        record: &DataRecord,
+        record: impl Into<GivenRecord<'a>>,
     ) -> Result<()> {
         const F: Function = Function::InitialisePick;
-        let prompting = Prompting { number, prompt, area: area.into(), record };
-        self.initialise(F, id, InputClass::Pick, &prompting, |_, usual| {
+        let prompting = Prompting { number, prompt, area: area.into(), record: record.into() };
+        self.initialise(F, id, InputClass::Pick, &prompting, |_, usual, record| {
             let detail = record::pick(&usual, record).ok_or(146)?;
             match status {
                 InputStatus::NoInput => Ok((InputValue::Pick(None), detail)),
@@ -164,7 +164,7 @@ impl Gks {
     /// Errors: as INITIALISE LOCATOR, 146 also for a buffer without room, 152 for a cursor that is neither in nor
     /// just behind the string, 154 (longer than the buffer).
     #[allow(clippy::too_many_arguments, reason = "the function of the standard has as many")]
-    pub fn initialise_string(
+    pub fn initialise_string<'a>(
         &mut self,
         id: i32,
         number: i32,
@@ -173,11 +173,11 @@ impl Gks {
         area: impl Into<Rect<Dc>>,
         buffer: i32,
         cursor: i32,
-        record: &DataRecord,
+        record: impl Into<GivenRecord<'a>>,
     ) -> Result<()> {
         const F: Function = Function::InitialiseString;
-        let prompting = Prompting { number, prompt, area: area.into(), record };
-        self.initialise(F, id, InputClass::String, &prompting, |_, _| {
+        let prompting = Prompting { number, prompt, area: area.into(), record: record.into() };
+        self.initialise(F, id, InputClass::String, &prompting, |_, _, _| {
             let length = string.chars().count();
             let at = usize::try_from(cursor).unwrap_or(0);
             let detail = record::string(buffer, at).ok_or(146)?;
@@ -191,15 +191,15 @@ impl Gks {
         })
     }
 
-    /// Sets a device. `prepare` is given what the data record of the device says that has none, and gives the
-    /// initial value and what the data record says, or the number of the error: 146, 152, 153 or 154.
+    /// Sets a device. `prepare` is given what the data record of a device says that has none, and the data record, and
+    /// gives the initial value and what the data record says, or the number of the error: 146, 152, 153 or 154.
     fn initialise(
         &mut self,
         function: Function,
         id: i32,
         class: InputClass,
         prompting: &Prompting<'_>,
-        prepare: impl FnOnce(&Gks, Detail) -> Result<(InputValue, Detail), i32>,
+        prepare: impl FnOnce(&Gks, Detail, &DataRecord) -> Result<(InputValue, Detail), i32>,
     ) -> Result<()> {
         self.check_state(function)?;
         self.check_input(function, id)?;
@@ -222,18 +222,11 @@ impl Gks {
             return Err(Error::new(145, function).because(limits()));
         }
         let usual = default_detail(class, description);
-        let (initial, detail) = prepare(self, usual).map_err(|error| Error::new(error, function))?;
+        let record = record.values().ok_or_else(|| Error::new(146, function))?;
+        let (initial, detail) = prepare(self, usual, &record).map_err(|error| Error::new(error, function))?;
         let open = self.workstation_mut(function, id)?;
         let state = open.input.get_mut(device).ok_or_else(|| no_device(function, device))?;
-        *state = Device {
-            mode: state.mode,
-            echo: state.echo,
-            initial,
-            prompt,
-            area,
-            detail,
-            record: record.clone(),
-        };
+        *state = Device { mode: state.mode, echo: state.echo, initial, prompt, area, detail, record };
         Ok(())
     }
 

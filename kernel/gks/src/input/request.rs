@@ -3,7 +3,7 @@
 use super::measure::setting;
 use super::value::{InputValue, LocatorValue, OfClass, OperatingMode, PickValue, StrokeValue};
 use super::{logical, no_device};
-use crate::gks::device_error;
+use crate::gks::{device_error, receiving_error};
 use crate::{Error, Function, Gks, Result};
 use gks_pipeline::input::{InputClass, LogicalDevice, Report};
 
@@ -22,7 +22,7 @@ macro_rules! requests {
 requests! {
     /// REQUEST LOCATOR: waits for a position; none if the operator breaks or is gone.
     ///
-    /// Errors: 7, 20, 25, 38, 140 (no such device), 141 (not in mode REQUEST), 303.
+    /// Errors: 7, 20, 25, 38, 140 (no such device), 141 (not in mode REQUEST), 303, 305.
     request_locator, RequestLocator, Locator -> LocatorValue;
     /// REQUEST STROKE: waits for positions. Errors: as REQUEST LOCATOR.
     request_stroke, RequestStroke, Stroke -> StrokeValue;
@@ -46,6 +46,7 @@ impl Gks {
         if self.input_device(function, id, device)?.mode != OperatingMode::Request {
             return Err(Error::new(141, function));
         }
+        self.update_before_input(id, device.class)?;
         self.before_interaction(function, id)?;
         let failed = |error| device_error(function, &error);
         let Gks { workstations, normalization, .. } = self;
@@ -68,7 +69,7 @@ impl Gks {
         loop {
             let open = self.workstation_mut(function, id)?;
             let Some(operator) = open.workstation.input() else { return Ok(None) };
-            let report = operator.wait(None).map_err(|error| device_error(function, &error))?;
+            let report = operator.wait(None).map_err(|error| receiving_error(function, &error))?;
             let Report::Trigger(mut measures) = report else { return Ok(None) };
             let mine = measures.iter().position(|(of, _)| *of == device).map(|at| measures.remove(at).1);
             self.queue_events(id, measures);

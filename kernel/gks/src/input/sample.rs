@@ -2,7 +2,7 @@
 
 use super::logical;
 use super::value::{InputValue, LocatorValue, OfClass, OperatingMode, PickValue, StrokeValue};
-use crate::gks::device_error;
+use crate::gks::receiving_error;
 use crate::{Error, Function, Gks, Result};
 use gks_pipeline::input::{InputClass, LogicalDevice};
 
@@ -21,7 +21,7 @@ macro_rules! samples {
 samples! {
     /// SAMPLE LOCATOR: the current position; the initial one where nobody is left to move it.
     ///
-    /// Errors: 7, 20, 25, 38, 140 (no such device), 142 (not in mode SAMPLE), 303.
+    /// Errors: 7, 20, 25, 38, 140 (no such device), 142 (not in mode SAMPLE), 303, 305.
     sample_locator, SampleLocator, Locator -> LocatorValue;
     /// SAMPLE STROKE: the points entered so far. Errors: as SAMPLE LOCATOR.
     sample_stroke, SampleStroke, Stroke -> StrokeValue;
@@ -44,9 +44,10 @@ impl Gks {
             return Err(Error::new(142, function));
         }
         let initial = state.initial.clone();
+        self.update_before_input(id, device.class)?;
         self.before_interaction(function, id)?;
         let measure = match self.workstation_mut(function, id)?.workstation.input() {
-            Some(operator) => operator.sample(device).map_err(|error| device_error(function, &error))?,
+            Some(operator) => operator.sample(device).map_err(|error| receiving_error(function, &error))?,
             None => None,
         };
         Ok(measure.and_then(|measure| self.input_value(id, device, measure)).unwrap_or(initial))

@@ -34,7 +34,7 @@ impl Gks {
     /// The open workstation with an identifier for an inquiry.
     ///
     /// Errors: those of the state and the category, 20 (identifier below 1), 25 (not open).
-    pub(super) fn inquired(&self, function: Function, id: i32) -> Result<&OpenWorkstation> {
+    pub(crate) fn inquired(&self, function: Function, id: i32) -> Result<&OpenWorkstation> {
         self.check_state(function)?;
         let Some(open) = self.workstations.get(&id) else {
             return Err(Error::new(if id < 1 { 20 } else { 25 }, function));

@@ -122,12 +122,15 @@ impl Gks {
     fn interpret_escape(&mut self, id: i32, data: &[u8]) -> Result<()> {
         let record = DataRecord::unpack_bytes(data).unwrap_or_default();
         match id {
-            escape::SET_COLOUR_ALPHA | escape::SET_ANTIALIASING if !record.integers.is_empty() => self
-                .on_active(|gks, workstation| {
+            escape::SET_COLOUR_ALPHA | escape::SET_ANTIALIASING | escape::SET_OPACITY
+                if !record.integers.is_empty() =>
+            {
+                self.on_active(|gks, workstation| {
                     let mut record = record.clone();
                     record.integers[0] = workstation;
                     gks.escape(id, &record).map(drop)
-                }),
+                })
+            }
             _ => self.escape(id, &record).map(drop),
         }
     }

@@ -22,7 +22,7 @@ impl Gks {
     pub fn create_segment(&mut self, name: i32) -> Result<()> {
         const F: Function = Function::CreateSegment;
         self.check_state(F)?;
-        valid(F, name)?;
+        self.check_name(F, name)?;
         self.check_free(F, name)?;
         let active = self.workstations.iter().filter(|(_, open)| open.active);
         let stored = active.clone().any(|(_, open)| !open.workstation.has_segments());
@@ -55,8 +55,8 @@ impl Gks {
     pub fn rename_segment(&mut self, old: i32, new: i32) -> Result<()> {
         const F: Function = Function::RenameSegment;
         self.check_state(F)?;
-        valid(F, old)?;
-        valid(F, new)?;
+        self.check_name(F, old)?;
+        self.check_name(F, new)?;
         self.check_free(F, new)?;
         self.segment(F, old)?;
         self.segments.rename(old, new);
@@ -89,7 +89,7 @@ impl Gks {
         const F: Function = Function::DeleteSegmentFromWorkstation;
         self.check_state(F)?;
         self.suitable_workstation(F, id)?;
-        valid(F, name)?;
+        self.check_name(F, name)?;
         let associated = self.segments.get(name).filter(|segment| segment.workstations().contains(&id));
         let Some(segment) = associated else { return Err(named(F, 123, name)) };
         let seen = segment.is_shown().then_some(id);
@@ -109,7 +109,10 @@ impl Gks {
     ) -> Result<()> {
         let mut done = Ok(());
         for id in on {
-            let Some(OpenWorkstation { workstation, .. }) = self.workstations.get_mut(&id) else { continue };
+            let Some(OpenWorkstation { workstation, changed, .. }) = self.workstations.get_mut(&id) else {
+                continue;
+            };
+            *changed = true;
             workstation.invalidate();
             let at_once = how(&workstation.description().segments) == DynamicModification::Imm
                 && workstation.is_new_frame_necessary();
@@ -169,7 +172,7 @@ impl Gks {
 
     /// The segment with a name. Errors: 120, 122.
     pub(crate) fn segment(&self, function: Function, name: i32) -> Result<&Segment> {
-        valid(function, name)?;
+        self.check_name(function, name)?;
         self.segments.get(name).ok_or_else(|| named(function, 122, name))
     }
 
@@ -178,6 +181,11 @@ impl Gks {
         let wiss = |category| category == Category::Wiss;
         let mut open = self.workstations.iter();
         open.find(|(_, open)| wiss(open.workstation.description().category)).map(|(&id, _)| id)
+    }
+
+    /// Checks that a name is one. Error: 120.
+    fn check_name(&self, function: Function, name: i32) -> Result<()> {
+        if name < self.defaults.first_segment { Err(named(function, 120, name)) } else { Ok(()) }
     }
 
     fn check_free(&self, function: Function, name: i32) -> Result<()> {
@@ -190,11 +198,6 @@ impl Gks {
         }
         Ok(())
     }
-}
-
-/// Checks that a name is one. Error: 120.
-fn valid(function: Function, name: i32) -> Result<()> {
-    if name < 1 { Err(named(function, 120, name)) } else { Ok(()) }
 }
 
 #[cold]

@@ -1,6 +1,6 @@
 //! Workstation independent segment storage: segments taken from it to workstations and into other segments.
 
-use super::{named, valid};
+use super::named;
 use crate::attributes::NOT_A_NUMBER;
 use crate::gks::{Target, device_error};
 use crate::{Error, Function, Gks, Result};
@@ -88,7 +88,7 @@ impl Gks {
 
     /// Checks that a segment is in the segment storage. Errors: 120, 124.
     fn stored(&self, function: Function, storage: i32, name: i32) -> Result<()> {
-        valid(function, name)?;
+        self.check_name(function, name)?;
         match self.segments.get(name) {
             Some(segment) if segment.workstations().contains(&storage) => Ok(()),
             _ => Err(named(function, 124, name)),

@@ -538,6 +538,8 @@ pub mod escape {
     pub const INQUIRE_ANTIALIASING: i32 = -3005;
     /// Compound primitive; data record: integers (number of polylines or fill areas that follow and are one primitive).
     pub const COMPOUND_PRIMITIVE: i32 = -3006;
+    /// Set opacity; data record: integers (workstation identifier; primitives: 0 lines, 1 markers, 2 text, 3 areas and cells), reals (opacity, 0 transparent to 1 opaque, on top of that of colours).
+    pub const SET_OPACITY: i32 = -3007;
 }
 
 /// The escape functions.
@@ -548,6 +550,7 @@ pub static ESCAPES: &[Escape] = &[
     Escape { number: -3004, name: "set antialiasing", integers: 2, reals: 0, output_integers: 0 },
     Escape { number: -3005, name: "inquire antialiasing", integers: 1, reals: 0, output_integers: 1 },
     Escape { number: -3006, name: "compound primitive", integers: 1, reals: 0, output_integers: 0 },
+    Escape { number: -3007, name: "set opacity", integers: 2, reals: 1, output_integers: 0 },
 ];
 
 /// The predefined polyline bundles 1, 2, ....

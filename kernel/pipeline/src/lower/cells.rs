@@ -11,8 +11,10 @@ use std::collections::BTreeMap;
 /// Resolves the colour indices of cells; a negative index is drawn as index 1, like one without an entry.
 pub(crate) fn paints(cells: &Cells<'_>, tables: &Tables, out: &mut Vec<Paint>) {
     out.clear();
+    let opacity = tables.opacity.areas;
+    let paint = |&i: &i32| tables.translucent(u32::try_from(i).unwrap_or(u32::MAX), opacity);
     for row in 0..cells.rows {
-        out.extend(cells.row(row).iter().map(|&i| tables.paint(u32::try_from(i).unwrap_or(u32::MAX))));
+        out.extend(cells.row(row).iter().map(paint));
     }
 }
 

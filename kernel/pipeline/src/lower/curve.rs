@@ -35,7 +35,7 @@ pub(crate) fn draw(
         }),
         Role::Area => {
             let bundle = canvas.tables.fill(look);
-            let paint = canvas.tables.paint(bundle.colour);
+            let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.areas);
             let whole_ellipse = matches!(curve, Curve::Ellipse(e) if e.closure == Closure::Full);
             let offered = match bundle.interior {
                 InteriorStyle::Solid => Some(Form::Filled(*curve, paint)),

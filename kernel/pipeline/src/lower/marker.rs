@@ -27,7 +27,8 @@ pub(crate) fn style(look: &Look, canvas: &Canvas<'_>) -> MarkerStyle {
         1 => width,
         _ => factor * canvas.tables.marker_scale * canvas.surface.nominal_marker_size(),
     };
-    MarkerStyle { kind: bundle.kind, size, width, paint: canvas.tables.paint(bundle.colour) }
+    let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.markers);
+    MarkerStyle { kind: bundle.kind, size, width, paint }
 }
 
 /// The shape of a marker of size 1 around the origin, y up.

@@ -41,7 +41,8 @@ pub(crate) fn place(look: &Look, index: i32, canvas: &Canvas<'_>, paints: &mut V
         return None;
     }
     paints.clear();
-    let paint = |&i: &i32| canvas.tables.paint(u32::try_from(i).unwrap_or(u32::MAX));
+    let opacity = canvas.tables.opacity.areas;
+    let paint = |&i: &i32| canvas.tables.translucent(u32::try_from(i).unwrap_or(u32::MAX), opacity);
     paints.extend(pattern.indices.iter().map(paint));
     let origin = canvas.map.point(geometry.reference) + height;
     Some(Place {

@@ -62,7 +62,10 @@ pub(crate) fn draw(
     let mut done = Ok(());
     if around.is_some_and(|r| r.meets(clip)) {
         let crossing = around.is_some_and(|r| !clip.contains_rect(&r));
-        let paint = canvas.tables.paint(if canvas.glow { glow::COLOUR } else { bundle.colour });
+        let paint = match canvas.glow {
+            true => canvas.tables.paint(glow::COLOUR),
+            false => canvas.tables.translucent(bundle.colour, canvas.tables.opacity.text),
+        };
         done = glyphs(painter, text, &layout, frame, paint, crossing, clip, canvas);
     }
     painter.layout = layout;

@@ -27,12 +27,43 @@ impl<T> Clone for Address<T> {
     }
 }
 
+impl<T> Address<T> {
+    /// The address that a pointer in a structure of the program holds.
+    pub(crate) fn at(pointer: *mut T) -> Self {
+        Address(pointer)
+    }
+
+    /// The address with a number that a structure of the program holds.
+    pub(crate) fn to(number: usize) -> Self {
+        Address(std::ptr::with_exposed_provenance_mut(number))
+    }
+
+    /// The number of the address that lies a number of bytes behind.
+    pub(crate) fn after(self, bytes: usize) -> usize {
+        self.0.wrapping_byte_add(bytes).expose_provenance()
+    }
+
+    /// The address of a member of a structure.
+    pub(crate) fn member<U>(self, project: impl FnOnce(*mut T) -> *mut U) -> Address<U> {
+        Address(if self.0.is_null() { std::ptr::null_mut() } else { project(self.0) })
+    }
+
+    /// Whether the program has given none.
+    pub(crate) fn is_null(self) -> bool {
+        self.0.is_null()
+    }
+}
+
 impl<T: Copy> Address<T> {
+    /// The value; none at a null pointer.
+    pub(crate) fn value(self) -> Option<T> {
+        // SAFETY: the contract of the crate.
+        unsafe { self.0.as_ref() }.copied()
+    }
+
     /// The value. Error: 2000 (null pointer).
     pub(crate) fn get(self, function: Function) -> gks::Result<T> {
-        // SAFETY: the contract of the crate.
-        let value = unsafe { self.0.as_ref() };
-        value.copied().ok_or_else(|| Error::new(PARAMETER, function).because("null pointer"))
+        self.value().ok_or_else(|| Error::new(PARAMETER, function).because("null pointer"))
     }
 
     /// Sets the value, unless the program does not want it.
@@ -40,6 +71,18 @@ impl<T: Copy> Address<T> {
         if !self.0.is_null() {
             // SAFETY: the contract of the crate.
             unsafe { self.0.write(value) }
+        }
+    }
+
+    /// Sets values from the first on, unless the program does not want them. The caller has checked how many there is
+    /// room for.
+    pub(crate) fn set_all(self, values: impl IntoIterator<Item = T>) {
+        if self.0.is_null() {
+            return;
+        }
+        for (i, value) in values.into_iter().enumerate() {
+            // SAFETY: the contract of the crate.
+            unsafe { self.0.add(i).write(value) }
         }
     }
 
@@ -77,6 +120,12 @@ pub(crate) fn allocated<T>(values: &[T]) -> *mut T {
         unsafe { std::ptr::copy_nonoverlapping(values.as_ptr(), address, values.len()) }
     }
     address
+}
+
+/// A text in memory that the program will free.
+pub(crate) fn allocated_text(text: &str) -> *mut c_char {
+    let bytes: Vec<c_char> = text.bytes().filter(|&byte| byte != 0).chain([0]).map(|b| b as c_char).collect();
+    allocated(&bytes)
 }
 
 /// A list of integers for the program.

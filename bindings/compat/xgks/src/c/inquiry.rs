@@ -1,6 +1,6 @@
 //! Inquiries of the operating state, the GKS state list and the state lists of workstations.
 
-use super::argument::{Address, allocated, inquire, integer, list};
+use super::argument::{Address, allocated, allocated_text, inquire, integer, list};
 use super::control::kind_name;
 use super::types::{
     Gchar, Gcliprec, Gextent, Gfloat, Gindattr, Gint, Gintlist, Gipoint, Gpoint, Gpriattr, Gpxarray, Grect,
@@ -122,11 +122,7 @@ extern "C" fn ginqntran(number: Gint, transformation: Address<Gwstran>) -> Gint 
 extern "C" fn ginqwsconntype(ws_id: Gint, result: Address<Gwsct>) -> Gint {
     inquire(Function::InquireWorkstationConnectionAndType, |gks| {
         let (connection, kind) = gks.inquire_workstation_connection_and_type(ws_id)?;
-        let text = |text: &str| {
-            let bytes: Vec<Gchar> = text.bytes().chain([0]).map(|byte| byte as Gchar).collect();
-            allocated(&bytes)
-        };
-        result.set(Gwsct { conn: text(connection), kind: text(kind_name(kind)) });
+        result.set(Gwsct { conn: allocated_text(connection), kind: allocated_text(kind_name(kind)) });
         Ok(())
     })
 }

@@ -6,10 +6,10 @@ use gks_pipeline::colour::Colour;
 use gks_pipeline::look::{
     FillBundle, Horizontal, InteriorStyle, LineBundle, MarkerBundle, Precision, TextBundle, Vertical,
 };
-use std::ffi::{c_char, c_int, c_long};
+use std::ffi::{c_char, c_int};
 
 pub(crate) type Gint = c_int;
-pub(crate) type Glong = c_long;
+pub(crate) type Glong = c_int;
 pub(crate) type Gchar = c_char;
 pub(crate) type Gfloat = f32;
 /// Thirteen flags, in the order of the standard.
@@ -61,6 +61,14 @@ structures! {
     Gwstran { w: Glimit, v: Glimit }
     Gwsti { wstus: Gint, request: Gwstran, current: Gwstran }
     Gpxarray { covalid: Gint, array: *mut Gint }
+    Gloc { transform: Gint, position: Gpoint }
+    Gstroke { transform: Gint, n_points: Gint, points: *mut Gpoint }
+    Gchoice { status: Gint, choice: Gint }
+    Gpick { status: Gint, seg: Gint, pickid: Gint }
+    Gevent { ws: Gint, dev: Gint, class: Gint }
+    Gqueue { class: Gint, devno: Gint }
+    Gnumdev { locator: Gint, stroke: Gint, valuator: Gint, choice: Gint, pick: Gint, string: Gint }
+    Ggksmit { kind: Gint, length: Gint }
     Gpriattr {
         plnindex: Gint, pmkindex: Gint, txindex: Gint, height: Gfloat, up: Gpoint, chwidth: Gfloat, base: Gpoint,
         path: Gint, align: Gtxalign, flindex: Gint, widthvec: Gpoint, heightvec: Gpoint, prp: Gpoint,

@@ -1,6 +1,6 @@
 //! The arrays of points that applications hand over, as they are.
 
-use glam::DVec2;
+use glam::{DAffine2, DVec2};
 
 /// A view of an array of points in one of the layouts that callers have. The normalization transformation is
 /// the pass that reads it; nothing is copied before.
@@ -35,6 +35,22 @@ impl Points<'_> {
         self.len() == 0
     }
 
+    /// Adds the images of all points under a map. Whether all of them are finite.
+    pub fn add_mapped(&self, map: &DAffine2, images: &mut Vec<DVec2>) -> bool {
+        match *self {
+            Points::Tuples(p) => add_mapped(map, p.iter().map(|&(x, y)| DVec2::new(x, y)), images),
+            Points::Arrays(p) => add_mapped(map, p.iter().map(|&p| p.into()), images),
+            Points::Singles(p) => {
+                add_mapped(map, p.iter().map(|&[x, y]| DVec2::new(x.into(), y.into())), images)
+            }
+            Points::SplitSingles(x, y) => {
+                let points = x.iter().zip(y).map(|(&x, &y)| DVec2::new(x.into(), y.into()));
+                add_mapped(map, points, images)
+            }
+            Points::Split(x, y) => add_mapped(map, x.iter().zip(y).map(|(&x, &y)| DVec2::new(x, y)), images),
+        }
+    }
+
     /// Calls `each` with every point in turn.
     pub fn for_each(&self, mut each: impl FnMut(DVec2)) {
         match self {
@@ -47,6 +63,18 @@ impl Points<'_> {
             Points::Split(x, y) => x.iter().zip(*y).for_each(|(&x, &y)| each(DVec2::new(x, y))),
         }
     }
+}
+
+/// One pass without a branch in it.
+#[inline]
+fn add_mapped(map: &DAffine2, points: impl Iterator<Item = DVec2>, images: &mut Vec<DVec2>) -> bool {
+    let mut finite = true;
+    images.extend(points.map(|p| {
+        let image = map.transform_point2(p);
+        finite &= image.is_finite();
+        image
+    }));
+    finite
 }
 
 macro_rules! from_slices {
@@ -69,3 +97,35 @@ macro_rules! from_slices {
     )+ };
 }
 from_slices!(Tuples: (f64, f64), Arrays: [f64; 2], Singles: [f32; 2]);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_layout_has_the_same_images() {
+        let map = DAffine2::from_cols_array(&[2.0, 0.0, 0.0, 3.0, 1.0, -1.0]);
+        let layouts = [
+            Points::Tuples(&[(0.5, 1.0), (2.0, 4.0)]),
+            Points::Arrays(&[[0.5, 1.0], [2.0, 4.0]]),
+            Points::Singles(&[[0.5, 1.0], [2.0, 4.0]]),
+            Points::SplitSingles(&[0.5, 2.0], &[1.0, 4.0, 9.0]),
+            Points::Split(&[0.5, 2.0, 7.0], &[1.0, 4.0]),
+        ];
+        for points in layouts {
+            let mut images = vec![DVec2::ZERO];
+            assert!(points.add_mapped(&map, &mut images), "{points:?}");
+            assert_eq!(images, [DVec2::ZERO, DVec2::new(2.0, 2.0), DVec2::new(5.0, 11.0)], "{points:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_finite_is_told() {
+        let map = DAffine2::IDENTITY;
+        for odd in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for point in [(odd, 0.0), (0.0, odd)] {
+                assert!(!Points::Tuples(&[(0.0, 0.0), point]).add_mapped(&map, &mut Vec::new()), "{point:?}");
+            }
+        }
+    }
+}

@@ -1,4 +1,4 @@
-//! Random numbers for tests: the same seed gives the same numbers everywhere.
+//! Random numbers for benchmarks and tests: the same seed gives the same numbers everywhere.
 
 /// A 64-bit xorshift generator: G. Marsaglia, "Xorshift RNGs", Journal of Statistical Software 8(14), 2003.
 #[derive(Clone, Debug)]
