@@ -57,7 +57,7 @@ impl Browser {
     }
 
     /// The result of a method.
-    fn call(&mut self, page: Option<&Page>, method: &str, parameters: Value) -> Value {
+    fn call(&mut self, page: Option<&Page>, method: &str, parameters: &Value) -> Value {
         self.calls += 1;
         let mut message = json!({"id": self.calls, "method": method, "params": parameters});
         if let Some(page) = page {
@@ -76,24 +76,24 @@ impl Browser {
 
     /// Opens a page at an address, large enough for the picture.
     fn open(&mut self, address: &str) -> Page {
-        let target = self.call(None, "Target.createTarget", json!({"url": "about:blank"}));
+        let target = self.call(None, "Target.createTarget", &json!({"url": "about:blank"}));
         let target = target["targetId"].as_str().expect("a page").to_owned();
-        let session = self.call(None, "Target.attachToTarget", json!({"targetId": target, "flatten": true}));
+        let session = self.call(None, "Target.attachToTarget", &json!({"targetId": target, "flatten": true}));
         let page = Page { session: session["sessionId"].as_str().expect("a session").to_owned(), target };
         let size = json!({"width": 900, "height": 760, "deviceScaleFactor": 1, "mobile": false});
-        self.call(Some(&page), "Emulation.setDeviceMetricsOverride", size);
-        self.call(Some(&page), "Page.navigate", json!({"url": address}));
+        self.call(Some(&page), "Emulation.setDeviceMetricsOverride", &size);
+        self.call(Some(&page), "Page.navigate", &json!({"url": address}));
         page
     }
 
     fn close(&mut self, page: &Page) {
-        self.call(None, "Target.closeTarget", json!({"targetId": page.target}));
+        self.call(None, "Target.closeTarget", &json!({"targetId": page.target}));
     }
 
     /// The value of an expression on a page.
     fn evaluate(&mut self, page: &Page, expression: &str) -> Value {
         let parameters = json!({"expression": expression, "returnByValue": true, "awaitPromise": true});
-        self.call(Some(page), "Runtime.evaluate", parameters)["result"]["value"].take()
+        self.call(Some(page), "Runtime.evaluate", &parameters)["result"]["value"].take()
     }
 
     /// Where the picture is on a page, once it is there in its own size.
@@ -112,7 +112,7 @@ impl Browser {
     fn screen(&mut self, page: &Page) -> RgbImage {
         let (x, y) = self.place(page);
         let clip = json!({"x": x, "y": y, "width": SIZE, "height": SIZE, "scale": 1});
-        let shot = self.call(Some(page), "Page.captureScreenshot", json!({"format": "png", "clip": clip}));
+        let shot = self.call(Some(page), "Page.captureScreenshot", &json!({"format": "png", "clip": clip}));
         let bytes = BASE64.decode(shot["data"].as_str().expect("an image").as_bytes()).expect("base 64");
         image::load_from_memory(&bytes).expect("an image").to_rgb8()
     }
@@ -129,7 +129,7 @@ impl Browser {
 
     /// Keeps a picture of a whole page.
     fn keep(&mut self, page: &Page, name: &str) {
-        let shot = self.call(Some(page), "Page.captureScreenshot", json!({"format": "png"}));
+        let shot = self.call(Some(page), "Page.captureScreenshot", &json!({"format": "png"}));
         let bytes = BASE64.decode(shot["data"].as_str().expect("an image").as_bytes()).expect("base 64");
         fs::write(self.folder.join(format!("{name}.png")), bytes).expect("a screenshot");
     }
@@ -141,7 +141,7 @@ impl Browser {
         let parameters = json!({
             "type": act, "x": left + x, "y": top + y, "button": button, "clickCount": 1, "buttons": held,
         });
-        self.call(Some(page), "Input.dispatchMouseEvent", parameters);
+        self.call(Some(page), "Input.dispatchMouseEvent", &parameters);
     }
 
     fn moved(&mut self, page: &Page, x: f64, y: f64) {
@@ -157,8 +157,8 @@ impl Browser {
     fn key(&mut self, page: &Page, key: &str) {
         let text = if key.chars().count() == 1 { key } else { "" };
         let down = json!({"type": "keyDown", "key": key, "text": text});
-        self.call(Some(page), "Input.dispatchKeyEvent", down);
-        self.call(Some(page), "Input.dispatchKeyEvent", json!({"type": "keyUp", "key": key}));
+        self.call(Some(page), "Input.dispatchKeyEvent", &down);
+        self.call(Some(page), "Input.dispatchKeyEvent", &json!({"type": "keyUp", "key": key}));
     }
 }
 

@@ -86,7 +86,7 @@ pub(crate) fn open(
         (_, Some(sink), Some(encoding)) => {
             let size = describe(kind, options)?.size();
             let settings = Settings { version: options.version.unwrap_or(1), size, plain: false };
-            Ok(Backend::Recorder(cgm::create(sink, encoding, options.coordinates, settings)))
+            Ok(Backend::Pictures(cgm::create(sink, encoding, options.coordinates, settings)))
         }
         (own::GKSM, Some(sink), _) => {
             let writer = gksm::Writer::new(sink, options.coding.unwrap_or_default());

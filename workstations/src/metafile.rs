@@ -7,7 +7,7 @@ use gks_metafile::{ReadOptions, open_source};
 use gks_pipeline::description::{
     Category, Classification, Description, DynamicModification, DynamicModifications,
 };
-use gks_pipeline::generated::numbers::WORKSTATION_TYPES;
+use gks_pipeline::generated::numbers::{WORKSTATION_TYPES, workstation_type as own};
 use gks_pipeline::record::Source;
 use std::fs::File;
 use std::io;
@@ -22,6 +22,11 @@ pub(crate) fn describe(
     category: Category,
     options: &Options,
 ) -> Result<Description, SizeError> {
+    let surface = raster::true_colour(number, name, options)?;
+    if !matches!(number, own::GKSM | own::MI) {
+        // Pictures are drawn as on a device.
+        return Ok(Description { category, classification: Classification::Other, ..surface });
+    }
     let imm = DynamicModification::Imm;
     Ok(Description {
         category,
@@ -36,7 +41,7 @@ pub(crate) fn describe(
             colours: imm,
             transformation: imm,
         },
-        ..raster::true_colour(number, name, options)?
+        ..surface
     })
 }
 

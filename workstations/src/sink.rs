@@ -122,6 +122,14 @@ impl Sink for FileSink {
         Ok(true)
     }
 
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.state {
+            State::Writing(draft) => draft.file.flush().map_err(naming(&self.name)),
+            State::Direct(file) => file.flush().map_err(naming(&self.name)),
+            State::Idle | State::Ready(_) => Ok(()),
+        }
+    }
+
     fn finish(&mut self) -> io::Result<()> {
         match std::mem::replace(&mut self.state, State::Idle) {
             State::Writing(draft) => draft.finish().map_err(naming(&self.name)),
@@ -329,6 +337,10 @@ impl Sink for StdoutSink {
 
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.0.write_all(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
     }
 
     fn finish(&mut self) -> io::Result<()> {

@@ -220,7 +220,7 @@ impl Target<'_> {
         let (visible, appearance) = (segment.visible, segment.appearance);
         for (&id, OpenWorkstation { workstation, .. }) in active {
             // What will be drawn with the whole picture need not be drawn now.
-            if !(workstation.is_recorder() || visible && !workstation.is_regeneration_due()) {
+            if !(workstation.has_segments() || visible && !workstation.is_regeneration_due()) {
                 continue;
             }
             failure = failure.and(workstation.draw_in_segment(item, &appearance).map_err(failed));

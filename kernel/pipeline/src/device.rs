@@ -312,6 +312,11 @@ pub trait Sink: Send {
         Ok(false)
     }
 
+    /// Hands what was written on to the operating system, so that it outlives the program.
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+
     /// Completes the document and makes it appear under its final name.
     fn finish(&mut self) -> io::Result<()>;
 }

@@ -5,6 +5,8 @@
 //! clips it, and offers what remains to its [`device::Device`]; what the device refuses is taken apart
 //! ([`lower`]) until it is drawn.
 
+mod backend;
+mod band;
 pub mod colour;
 pub mod description;
 pub mod device;

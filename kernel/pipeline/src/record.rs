@@ -9,7 +9,7 @@ pub mod item;
 
 use crate::colour::Colour;
 use crate::description::{DeferralMode, RegenerationMode};
-use crate::device::DeviceError;
+use crate::device::{DeviceError, Drawn};
 use crate::item::{Item, Shape};
 use crate::look::{
     AspectSourceFlags, Cap, FillBundle, Horizontal, InteriorStyle, Join, LineBundle, MarkerBundle, Precision,
@@ -32,6 +32,12 @@ pub trait Recorder: Send {
 
     /// Completes the metafile, which appears under its name now.
     fn close(&mut self) -> Result<(), DeviceError>;
+}
+
+/// A recorder of pictures: a metafile without segments, on which is drawn what is to be seen, as on a device.
+pub trait PictureRecorder: Recorder {
+    /// Starts the picture over where nothing of it has left the recorder yet; [`Drawn::No`] leaves it as it is.
+    fn erase(&mut self) -> Result<Drawn, DeviceError>;
 }
 
 /// A source: the input side of a metafile.

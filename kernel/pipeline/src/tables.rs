@@ -234,9 +234,8 @@ impl Tables {
         let asf = look.sources;
         let bundle = entry(&self.texts, look.text_index, own);
         let font = if asf.individual(Aspect::TextFontAndPrecision) { own } else { bundle };
-        let substitute = self.substitutes.iter().find(|(number, _)| *number == font.font);
         TextBundle {
-            font: substitute.map_or(font.font, |(_, substitute)| *substitute),
+            font: self.substitute(font.font),
             precision: font.precision,
             expansion: if asf.individual(Aspect::CharacterExpansion) {
                 own.expansion
@@ -246,6 +245,31 @@ impl Tables {
             spacing: if asf.individual(Aspect::CharacterSpacing) { own.spacing } else { bundle.spacing },
             colour: if asf.individual(Aspect::TextColour) { own.colour } else { bundle.colour },
         }
+    }
+
+    /// A look as a metafile keeps it, for readers that have neither these substitutes nor this marker size; none where
+    /// it is the same.
+    pub fn portable(&self, look: &Look) -> Option<Look> {
+        if self.substitutes.is_empty() && self.marker_scale == 1.0 {
+            return None;
+        }
+        let (text, marker) = (self.portable_text(look.text), self.portable_marker(look.marker));
+        Some(Look { text, marker, ..look.clone() })
+    }
+
+    /// A text bundle as a metafile keeps it.
+    pub fn portable_text(&self, bundle: TextBundle) -> TextBundle {
+        TextBundle { font: self.substitute(bundle.font), ..bundle }
+    }
+
+    /// A polymarker bundle as a metafile keeps it.
+    pub fn portable_marker(&self, bundle: MarkerBundle) -> MarkerBundle {
+        MarkerBundle { size: bundle.size * self.marker_scale, ..bundle }
+    }
+
+    fn substitute(&self, font: i32) -> i32 {
+        let found = self.substitutes.iter().find(|(number, _)| *number == font);
+        found.map_or(font, |(_, substitute)| *substitute)
     }
 
     /// The fill area aspects that hold on this workstation.

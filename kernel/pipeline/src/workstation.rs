@@ -1,5 +1,7 @@
 //! A workstation: a device with tables, a transformation and a picture of its own.
 
+pub use crate::backend::Backend;
+use crate::band::Band;
 use crate::colour::Colour;
 use crate::description::{DeferralMode, Description, DynamicModification, RegenerationMode};
 use crate::device::{Device, DeviceError, Drawn, FrameBuffer, Page};
@@ -7,7 +9,7 @@ use crate::input::Input;
 use crate::item::Item;
 use crate::look::Look;
 use crate::painter::{Canvas, Painter};
-use crate::record::{Record, Recorder, Source};
+use crate::record::{Record, Source};
 use crate::recording::Recording;
 use crate::segment::{Appearance, Segment};
 use crate::tables::Tables;
@@ -54,27 +56,6 @@ fn pixel(at: f64, length: f64, count: u32) -> f64 {
     if at == count { count - 1.0 } else { at.floor() }
 }
 
-/// What is behind a workstation.
-pub enum Backend {
-    /// A device: categories OUTPUT, OUTIN and INPUT.
-    Device(Box<dyn Device>),
-    /// A metafile that is written: category MO.
-    Recorder(Box<dyn Recorder>),
-    /// A metafile that is read: category MI.
-    Source(Box<dyn Source>),
-    /// Nothing but the segments that the kernel keeps: category WISS.
-    Storage,
-}
-
-impl Backend {
-    fn device(&mut self) -> Option<&mut dyn Device> {
-        match self {
-            Backend::Device(device) => Some(&mut **device),
-            _ => None,
-        }
-    }
-}
-
 /// An open workstation.
 pub struct Workstation {
     backend: Backend,
@@ -98,6 +79,8 @@ pub struct Workstation {
     painter: Painter,
     /// What has been drawn since the display surface was cleared, where it is kept.
     copied: Option<Recording>,
+    /// Room for a primitive under a segment transformation.
+    moved: Recording,
 }
 
 impl Workstation {
@@ -125,6 +108,7 @@ impl Workstation {
             map: Map::IDENTITY,
             painter: Painter::default(),
             copied: None,
+            moved: Recording::new(),
         };
         workstation.adopt_requested();
         workstation
@@ -184,7 +168,15 @@ impl Workstation {
         if self.kept && !at_once {
             self.invalidate();
         }
-        self.control(record)
+        match *record {
+            Record::TextRepresentation(index, bundle) => {
+                self.control(&Record::TextRepresentation(index, self.tables.portable_text(bundle)))
+            }
+            Record::MarkerRepresentation(index, bundle) => {
+                self.control(&Record::MarkerRepresentation(index, self.tables.portable_marker(bundle)))
+            }
+            _ => self.control(record),
+        }
     }
 
     /// The transformation asked for.
@@ -222,8 +214,9 @@ impl Workstation {
         Map::window_into_viewport(&self.current.window, &self.current.viewport)
     }
 
-    /// Whether the workstation is a metafile that is written.
-    pub fn is_recorder(&self) -> bool {
+    /// Whether the workstation is a metafile that is written and has segments, so that it is told what happens to
+    /// them instead of drawing them.
+    pub fn has_segments(&self) -> bool {
         matches!(self.backend, Backend::Recorder(_))
     }
 
@@ -266,7 +259,7 @@ impl Workstation {
 
     /// Draws a primitive of the open segment, over what is there.
     pub fn draw_in_segment(&mut self, item: &Item<'_>, appearance: &Appearance) -> Result<(), DeviceError> {
-        if appearance.highlighted && !self.is_recorder() {
+        if appearance.highlighted && !self.has_segments() {
             self.paint(item, Some(&appearance.transformation), true)?;
         }
         self.kept = true;
@@ -284,7 +277,7 @@ impl Workstation {
     /// Draws the primitives of a segment so that they belong to none: COPY SEGMENT TO WORKSTATION.
     pub fn copy_segment(&mut self, segment: &Segment) -> Result<(), DeviceError> {
         self.loose = true;
-        if self.is_recorder() {
+        if self.has_segments() {
             let mut copy = Recording::new();
             for item in &segment.recording {
                 copy.clear();
@@ -310,10 +303,26 @@ impl Workstation {
         if let Some(copied) = &mut self.copied {
             copied.push_mapped(item, transformation.unwrap_or(&Map::IDENTITY));
         }
-        let Workstation { backend, description, tables, painter, map, current, .. } = self;
+        let portable = if matches!(self.backend, Backend::Recorder(_) | Backend::Pictures(_)) {
+            self.tables.portable(item.look)
+        } else {
+            None
+        };
+        let item = &Item { look: portable.as_ref().unwrap_or(item.look), ..*item };
+        let Workstation { backend, description, tables, painter, map, current, moved, .. } = self;
         let device = match backend {
             Backend::Device(device) => &mut **device,
             Backend::Recorder(recorder) => return recorder.draw(item),
+            Backend::Pictures(_) if glow => {
+                return self.record_band(item, transformation.unwrap_or(&Map::IDENTITY));
+            }
+            Backend::Pictures(recorder) => {
+                let moves = transformation.filter(|transformation| **transformation != Map::IDENTITY);
+                let Some(transformation) = moves else { return recorder.draw(item) };
+                moved.clear();
+                moved.push_mapped(item, transformation);
+                return moved.iter().try_for_each(|item| recorder.draw(&item));
+            }
             Backend::Source(_) | Backend::Storage => return Ok(()),
         };
         let mut canvas = Canvas {
@@ -326,6 +335,14 @@ impl Workstation {
             window: current.window,
         };
         painter.paint(item, &mut canvas)
+    }
+
+    /// Draws the band of highlighting of an item in a metafile of pictures.
+    fn record_band(&mut self, item: &Item<'_>, transformation: &Map<Ndc, Ndc>) -> Result<(), DeviceError> {
+        let mut band = Band::new(&self.description.surface, &self.map);
+        self.paint_on(&mut band, item, &self.in_picture(transformation), true)?;
+        let Backend::Pictures(recorder) = &mut self.backend else { return Ok(()) };
+        band.items(self.current.window).try_for_each(|line| recorder.draw(&line))
     }
 
     /// Paints an item on another device as it would be drawn here at a place, or the band of its highlighting.
@@ -382,7 +399,12 @@ impl Workstation {
             return Ok(());
         }
         let replaced = !self.loose || segments.clone().next().is_some();
-        let mut done = if self.empty || (replaced && self.erase_page()?) { Ok(()) } else { self.end_page() };
+        let mut done = if self.empty || (replaced && self.erase_page()?) {
+            Ok(())
+        } else {
+            let recorded = self.control(&Record::Clear { always: true });
+            recorded.and(self.end_page())
+        };
         self.start_frame();
         for segment in segments.filter(|segment| segment.is_shown()) {
             // A segment that fails does not keep the others from being drawn.
@@ -395,7 +417,7 @@ impl Workstation {
     fn paint_segment(&mut self, segment: &Segment, appearance: &Appearance) -> Result<(), DeviceError> {
         let Appearance { transformation, highlighted } = appearance;
         let mut items = segment.recording.iter();
-        if *highlighted && !self.is_recorder() {
+        if *highlighted && !self.has_segments() {
             items.clone().try_for_each(|item| self.paint(&item, Some(transformation), true))?;
         }
         items.try_for_each(|item| self.paint(&item, Some(transformation), false))
@@ -446,7 +468,7 @@ impl Workstation {
     /// surface there is nothing to note; else a new frame is necessary, which is due at once or at the next
     /// output where implicit regeneration is ALLOWED: see [`Workstation::is_regeneration_due`].
     pub fn invalidate(&mut self) {
-        if !self.empty && !self.is_recorder() {
+        if !self.empty && !self.has_segments() {
             self.new_frame_necessary = true;
         }
     }
@@ -547,10 +569,7 @@ impl Workstation {
 
     /// Passes a control function on to a metafile.
     pub fn control(&mut self, record: &Record<'_>) -> Result<(), DeviceError> {
-        match &mut self.backend {
-            Backend::Recorder(recorder) => recorder.control(record),
-            _ => Ok(()),
-        }
+        self.backend.control(record)
     }
 
     /// The metafile that is read.
@@ -604,12 +623,7 @@ impl Workstation {
         // A program that draws nothing still finds the file it asked for.
         let begun = if self.pages == 0 { self.begin_page() } else { Ok(()) };
         let ended = self.end_page();
-        let closed = match &mut self.backend {
-            Backend::Device(device) => device.close(),
-            Backend::Recorder(recorder) => recorder.close(),
-            Backend::Source(_) | Backend::Storage => Ok(()),
-        };
-        begun.and(ended).and(closed)
+        begun.and(ended).and(self.backend.close())
     }
 
     fn begin_page(&mut self) -> Result<(), DeviceError> {
@@ -633,10 +647,7 @@ impl Workstation {
     /// Starts the page over where the device can. Whether it is empty now.
     fn erase_page(&mut self) -> Result<bool, DeviceError> {
         let page = self.page(self.pages);
-        let erased = match self.backend.device() {
-            Some(device) => device.erase(&page)? == Drawn::Yes,
-            None => true,
-        };
+        let erased = self.backend.erase(&page)? == Drawn::Yes;
         self.apply_antialiasing();
         Ok(erased)
     }

@@ -27,6 +27,12 @@ impl Bitmap {
         self.pixels.fill(pixel);
     }
 
+    /// All pixels.
+    #[cfg(test)]
+    pub(super) fn pixels(&self) -> &[Pixel] {
+        &self.pixels
+    }
+
     /// All pixels, to be changed.
     pub(super) fn pixels_mut(&mut self) -> &mut [Pixel] {
         &mut self.pixels

@@ -7,6 +7,9 @@ use gks_pipeline::item::Parallelogram;
 use glam::{DMat2, DVec2};
 use std::ops::Range;
 
+/// What arithmetic and metafiles may lose of the position of a pixel, in cells.
+const ROUNDING: f64 = 1e-6;
+
 /// The way back from the raster to a parallelogram of cells.
 pub(super) struct CellMap {
     /// The corner of cell (1, 1).
@@ -34,11 +37,12 @@ impl CellMap {
         })
     }
 
-    /// The position of the centre of a pixel, counted in columns and rows of cells.
+    /// The position of the centre of a pixel, counted in columns and rows of cells. One on the edge of a cell, but for
+    /// the last digits, is taken to be there, so that it does not matter how the cells came to their place.
     #[inline]
     fn position(&self, column: u32, row: u32) -> DVec2 {
         let centre = DVec2::new(f64::from(column) + 0.5, f64::from(row) + 0.5);
-        self.inverse * (centre - self.origin)
+        self.inverse * (centre - self.origin) + DVec2::splat(ROUNDING)
     }
 
     /// The cell that contains the centre of a pixel as an index into the paints of the grid.

@@ -25,7 +25,7 @@ impl Gks {
         self.check_name(F, name)?;
         self.check_free(F, name)?;
         let active = self.workstations.iter().filter(|(_, open)| open.active);
-        let stored = active.clone().any(|(_, open)| !open.workstation.is_recorder());
+        let stored = active.clone().any(|(_, open)| !open.workstation.has_segments());
         self.segments.create(name, active.map(|(&id, _)| id));
         self.open_segment = Some(OpenSegment { name, stored });
         self.state = OperatingState::Sgop;
@@ -136,7 +136,7 @@ impl Gks {
             let Some(OpenWorkstation { workstation, .. }) = self.workstations.get_mut(&id) else { continue };
             let Some(segment) = self.segments.get(name) else { continue };
             let imm = workstation.description().segments.appearing == DynamicModification::Imm;
-            if workstation.is_regeneration_due() || workstation.is_recorder() {
+            if workstation.is_regeneration_due() || workstation.has_segments() {
                 continue;
             } else if imm && !self.segments.is_covered(name, id) || workstation.is_empty() {
                 done = done.and(workstation.draw_segment(segment).map_err(|e| device_error(function, &e)));

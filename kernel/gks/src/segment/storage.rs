@@ -101,7 +101,7 @@ impl Gks {
             return Ok(());
         };
         let workstation = &mut open.workstation;
-        if !workstation.is_recorder() {
+        if !workstation.has_segments() {
             return Ok(());
         }
         let Appearance { transformation, highlighted } = segment.appearance;

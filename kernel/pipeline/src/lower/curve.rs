@@ -21,7 +21,9 @@ pub(crate) fn draw(
     if !bounds.meets(clip) {
         return Ok(());
     }
-    let crossing = (!clip.contains_rect(&bounds)).then_some(*clip);
+    // A curve that touches an edge, but for the last digits of a map, does not cross it.
+    let around = clip.grown(canvas.surface.resolution * 1e-6);
+    let crossing = (!around.contains_rect(&bounds)).then_some(*clip);
     match role {
         Role::Line => painter.with_pen(look, canvas, |painter, pen, canvas| {
             if canvas.offer(Form::Stroke(*curve, *pen), crossing)? == Drawn::Yes {

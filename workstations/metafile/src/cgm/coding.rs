@@ -138,10 +138,13 @@ impl Modes {
         }
     }
 
-    /// The components of a colour as they are coded, of the RGB model.
+    /// The components of a colour as they are coded, whole numbers, of the RGB model.
     pub fn components(&self, colour: Colour) -> [f64; 3] {
         let (least, most) = &self.extent;
-        let scaled = |i: usize, share: f32| least[i] + f64::from(share) * (most[i] - least[i]);
+        // Rounded as devices do that take bytes for components.
+        let range = |i: usize| (most[i] - least[i]) as f32;
+        let scaled =
+            |i: usize, share: f32| least[i] + f64::from((share.clamp(0.0, 1.0) * range(i) + 0.5).floor());
         [scaled(0, colour.red), scaled(1, colour.green), scaled(2, colour.blue)]
     }
 

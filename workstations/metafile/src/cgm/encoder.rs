@@ -27,7 +27,7 @@ pub trait Encoder: Send {
 pub struct Grid {
     /// Whether they are real numbers.
     pub real: bool,
-    /// How many units the longer side of a picture has.
+    /// How many units the longer side of a picture has, unless they are real and those of NDC.
     pub units: f64,
     /// The largest magnitude of a coordinate.
     pub most: f64,
@@ -40,7 +40,7 @@ pub enum Coordinates {
     Integer16,
     /// Integers of 32 bits.
     Integer32,
-    /// Real numbers.
+    /// Real numbers of double precision, which lose nothing.
     Real,
 }
 
@@ -48,11 +48,11 @@ impl Coordinates {
     /// The grid of these coordinates.
     pub fn grid(self) -> Grid {
         match self {
-            // With as much room around the picture as it takes itself.
+            // Not negative in a picture, and with as much room around it as it takes itself.
             Coordinates::Integer16 => Grid { real: false, units: 16383.0, most: 32767.0 },
-            // As fine as the mantissa of a single precision number, with room around the picture.
-            Coordinates::Integer32 => Grid { real: false, units: 16_777_216.0, most: 2_147_483_647.0 },
-            Coordinates::Real => Grid { real: true, units: 1.0, most: 16384.0 },
+            // With three times as much room as the picture takes.
+            Coordinates::Integer32 => Grid { real: false, units: f64::from(1 << 29), most: 2_147_483_647.0 },
+            Coordinates::Real => Grid { real: true, units: 1.0, most: 1e6 },
         }
     }
 }

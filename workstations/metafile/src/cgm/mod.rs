@@ -31,12 +31,15 @@ use character::decoder::CharacterDecoder;
 use character::encoder::CharacterEncoder;
 use encoder::{Coordinates, Encoder};
 use gks_pipeline::device::Sink;
-use gks_pipeline::record::{Recorder, Source};
+use gks_pipeline::record::{PictureRecorder, Source};
 use interpreter::Interpreter;
 use recorder::{CgmRecorder, Settings};
 use std::io::Read;
 use text::decoder::TextDecoder;
 use text::encoder::TextEncoder;
+
+/// The most polylines that are one primitive.
+const MOST_LINES: usize = 1 << 16;
 
 /// How a metafile is encoded.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -105,11 +108,13 @@ pub fn create(
     encoding: Encoding,
     coordinates: Option<Coordinates>,
     mut settings: Settings,
-) -> Box<dyn Recorder> {
+) -> Box<dyn PictureRecorder> {
     let (sink, encoder): (Box<dyn Sink>, Box<dyn Encoder>) = match encoding {
         Encoding::Binary => {
-            let coordinates = coordinates.unwrap_or(Coordinates::Integer32);
-            (sink, Box::new(BinaryEncoder::new(coordinates, 8)))
+            let coordinates = coordinates.unwrap_or(Coordinates::Integer16);
+            // Not all readers know more than 256 colours.
+            let colour_bits = if coordinates == Coordinates::Real { 16 } else { 8 };
+            (sink, Box::new(BinaryEncoder::new(coordinates, colour_bits)))
         }
         Encoding::Text => (sink, Box::new(TextEncoder::new())),
         Encoding::Character => (sink, Box::new(CharacterEncoder::new())),

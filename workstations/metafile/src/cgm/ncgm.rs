@@ -155,6 +155,14 @@ impl Sink for RecordSink {
         self.fill(rest)
     }
 
+    fn flush(&mut self) -> io::Result<()> {
+        // A picture that is complete is in complete records.
+        if !self.data.is_empty() {
+            self.put(0)?;
+        }
+        self.sink.flush()
+    }
+
     fn finish(&mut self) -> io::Result<()> {
         self.put(LAST)?;
         self.sink.finish()

@@ -146,8 +146,8 @@ fn every_encoding_gives_back_what_was_drawn() {
         "area 0.125 0.250, 0.500 0.750, 0.875 0.250, 0.250 0.250, 0.500 0.500, 0.500 0.250 [3, 6]",
         "cells 0.250 0.250, 0.750 0.250, 0.750 0.500, 0.250 0.500 [1, 2, 3] [4, 5, 6]",
         "Area Pie 0.719 0.620, 0.518 0.749",
-        // Elements go in positive direction.
-        "Line Open 0.659 0.440, 0.779 0.560",
+        // In negative direction, which dashes would show.
+        "Line Open 0.779 0.560, 0.659 0.440",
     ];
     for encoding in ENCODINGS {
         for coordinates in [None, Some(Coordinates::Integer16), Some(Coordinates::Real)] {

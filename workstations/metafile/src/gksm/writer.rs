@@ -75,7 +75,12 @@ impl Recorder for Writer {
 
     fn control(&mut self, record: &Record<'_>) -> Result<(), DeviceError> {
         debug_assert!(!matches!(record, Record::Primitive(_) | Record::Attribute(Attribute::Cap(_))));
-        self.write(record)
+        self.write(record)?;
+        if matches!(record, Record::Clear { .. }) {
+            // A complete picture outlives the program.
+            self.sink.flush()?;
+        }
+        Ok(())
     }
 
     fn close(&mut self) -> Result<(), DeviceError> {

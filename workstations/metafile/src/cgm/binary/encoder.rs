@@ -14,7 +14,7 @@ const PARTITION: usize = 32766;
 
 /// Encodes in binary.
 ///
-/// Integers and indices have 16 bits, real numbers 16 before and 16 after the binary point, or single precision where
+/// Integers and indices have 16 bits, real numbers 16 before and 16 after the binary point, or double precision where
 /// coordinates are real too.
 pub struct BinaryEncoder {
     coordinates: Coordinates,
@@ -251,7 +251,7 @@ impl Encoder for BinaryEncoder {
             Precisions::element(Kind::ColourIndexPrecision, self.colour_index_bits),
         ];
         if self.coordinates == Coordinates::Real {
-            elements[1] = Precisions::real_element(Kind::RealPrecision, RealFormat::Float32);
+            elements[1] = Precisions::real_element(Kind::RealPrecision, RealFormat::Float64);
         }
         elements
     }
@@ -260,7 +260,7 @@ impl Encoder for BinaryEncoder {
         match self.coordinates {
             Coordinates::Integer16 => Vec::new(),
             Coordinates::Integer32 => vec![Precisions::element(Kind::VdcIntegerPrecision, 32)],
-            Coordinates::Real => vec![Precisions::real_element(Kind::VdcRealPrecision, RealFormat::Float32)],
+            Coordinates::Real => vec![Precisions::real_element(Kind::VdcRealPrecision, RealFormat::Float64)],
         }
     }
 

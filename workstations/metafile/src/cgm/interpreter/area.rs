@@ -86,6 +86,15 @@ impl<D: Decoder> Interpreter<D> {
         }
     }
 
+    /// Fills Bezier curves that enclose an area, without edges.
+    pub(super) fn fill_curves(&mut self, points: &[DVec2]) {
+        let mapping = self.mapping();
+        if let Some(look) = self.fill_look() {
+            let points = points.iter().map(|&p| mapping.point(p)).collect();
+            self.draw(Drawing::Bezier(points, Role::Area), look);
+        }
+    }
+
     /// Fills an ellipse or a closed part of one, and draws its edge.
     pub(super) fn fill_ellipse(&mut self, ellipse: &Ellipse<Wc>) {
         let mapping = self.mapping();

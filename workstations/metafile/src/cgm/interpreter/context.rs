@@ -4,6 +4,7 @@ use crate::cgm::coding::Modes;
 use crate::cgm::element::{Cells, Element, Ink};
 use crate::generated::elements::Kind;
 use gks_pipeline::colour::Colour;
+use gks_pipeline::generated::numbers::escape;
 use gks_pipeline::look::{Cap, Join};
 use glam::DVec2;
 use std::collections::BTreeMap;
@@ -351,6 +352,7 @@ impl Context {
                     }
                 }
             }
+            Kind::Escape if e.integer(0) == Some(escape::SET_COLOUR_ALPHA) => self.opacity(e),
             Kind::ClipRectangle => {
                 if let (Some(first), Some(second)) = (e.point(0), e.point(1)) {
                     self.clip = Some((first, second));
@@ -369,6 +371,18 @@ impl Context {
             _ => return false,
         }
         true
+    }
+
+    /// Gives an entry of the colour table an opacity: the index and the opacity as text.
+    fn opacity(&mut self, e: &Element) {
+        let text = e.bytes(1).and_then(|data| std::str::from_utf8(data).ok());
+        let Some((index, alpha)) = text.and_then(|text| text.split_once(' ')) else { return };
+        if let (Ok(index), Ok(alpha)) = (index.parse::<u32>(), alpha.parse())
+            && (0.0..=1.0).contains(&alpha)
+            && let Some(colour) = self.colours.get_mut(&index)
+        {
+            colour.alpha = alpha;
+        }
     }
 
     /// The look of lines.

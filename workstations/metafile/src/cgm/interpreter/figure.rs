@@ -13,19 +13,31 @@ pub(super) struct Figure {
     /// The boundary that is being drawn.
     boundary: Vec<DVec2>,
     edges: PathBuf<Wc>,
+    /// The Bezier curves that are all there is so far.
+    curves: Option<Vec<DVec2>>,
 }
 
 impl Figure {
-    /// Goes on with the boundary along lines.
-    pub(super) fn add_lines(&mut self, lines: &PathBuf<Wc>) {
+    fn add_lines(&mut self, lines: &PathBuf<Wc>) {
         for path in lines.as_paths().iter() {
             self.boundary.extend_from_slice(path);
             self.edges.add(path.iter().copied());
         }
     }
 
+    /// Goes on with the boundary along an outline, in chords that are as near to it as a tolerance says.
+    pub(super) fn add(&mut self, outline: Outline, tolerance: f64) {
+        let is_first = self.boundary.is_empty() && self.regions.ends.is_empty();
+        self.curves = match &outline {
+            Outline::Bezier(points) if is_first => Some(points.clone()),
+            _ => None,
+        };
+        self.add_lines(&outline.flattened(tolerance));
+    }
+
     /// Adds the boundary of an area as a region of its own.
     pub(super) fn add_region(&mut self, ring: &[DVec2], edges: &PathBuf<Wc>) {
+        self.curves = None;
         self.regions.add(ring.iter().copied());
         for path in edges.as_paths().iter() {
             self.edges.add(path.iter().copied());
@@ -48,7 +60,10 @@ impl<D: Decoder> Interpreter<D> {
     pub(super) fn end_figure(&mut self) {
         let Some(mut figure) = self.figure.take() else { return };
         figure.end_region();
-        self.fill_rings(&figure.regions);
+        match figure.curves {
+            Some(curves) => self.fill_curves(&curves),
+            None => self.fill_rings(&figure.regions),
+        }
         if self.context.edges {
             self.stroke_edge(Outline::Lines(figure.edges));
         }

@@ -2,6 +2,7 @@
 
 use super::context::Line;
 use super::{Drawing, Interpreter};
+use crate::cgm::MOST_LINES;
 use crate::cgm::coding::SizeMode;
 use crate::cgm::decoder::Decoder;
 use crate::cgm::element::Element;
@@ -13,6 +14,9 @@ use gks_pipeline::generated::numbers;
 use gks_pipeline::item::{Closure, Ellipse, Role};
 use gks_pipeline::look::Look;
 use glam::DVec2;
+
+/// The most points that are kept of a primitive that comes in parts.
+const MOST_POINTS: usize = 1 << 20;
 
 /// How many dashes a line may fall into.
 const MOST_DASHES: usize = 100_000;
@@ -81,7 +85,7 @@ impl<D: Decoder> Interpreter<D> {
         match e.kind {
             Kind::Polyline => {
                 if let Some(points) = e.points(0).filter(|points| points.len() > 1) {
-                    self.stroke(Outline::path(points.iter().copied()));
+                    self.polyline(points);
                 }
             }
             Kind::DisjointPolyline => {
@@ -95,6 +99,34 @@ impl<D: Decoder> Interpreter<D> {
             _ => return false,
         }
         true
+    }
+
+    /// Draws a polyline, or keeps it until those that belong to it have come.
+    fn polyline(&mut self, points: &[DVec2]) {
+        if self.compound.0 == 0 {
+            return self.stroke(Outline::path(points.iter().copied()));
+        }
+        let (left, lines) = &mut self.compound;
+        *left -= 1;
+        lines.add(points.iter().copied());
+        if *left == 0 || lines.points.len() > MOST_POINTS {
+            self.end_compound();
+        }
+    }
+
+    /// Says how many of the polylines that follow are one primitive.
+    pub(super) fn begin_compound(&mut self, e: &Element) {
+        let text = e.bytes(1).and_then(|data| std::str::from_utf8(data).ok());
+        self.end_compound();
+        self.compound.0 = text.and_then(|text| text.parse().ok()).filter(|n| *n <= MOST_LINES).unwrap_or(0);
+    }
+
+    /// Draws the polylines that have come of one primitive.
+    pub(super) fn end_compound(&mut self) {
+        let (_, lines) = std::mem::take(&mut self.compound);
+        if !lines.ends.is_empty() {
+            self.stroke(Outline::Lines(lines));
+        }
     }
 
     fn markers(&mut self, points: &[DVec2]) {
@@ -117,7 +149,7 @@ impl<D: Decoder> Interpreter<D> {
         if self.figure.is_some() {
             let tolerance = self.tolerance();
             if let Some(figure) = &mut self.figure {
-                figure.add_lines(&outline.flattened(tolerance));
+                figure.add(outline, tolerance);
             }
             return;
         }
@@ -160,7 +192,7 @@ impl<D: Decoder> Interpreter<D> {
             }
             Outline::Ellipse(ellipse) => Drawing::Ellipse(ellipse.mapped(&mapping.map), Role::Line),
             Outline::Bezier(points) => {
-                Drawing::Bezier(points.into_iter().map(|p| mapping.point(p)).collect())
+                Drawing::Bezier(points.into_iter().map(|p| mapping.point(p)).collect(), Role::Line)
             }
         };
         self.draw(drawing, look);

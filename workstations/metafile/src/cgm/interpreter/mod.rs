@@ -24,8 +24,9 @@ use super::fonts;
 use crate::generated::elements::Kind;
 use context::Context;
 use figure::Figure;
-use gks_geometry::{Ndc, Rect};
+use gks_geometry::{Ndc, PathBuf, Rect, Wc};
 use gks_pipeline::colour::Colour;
+use gks_pipeline::generated::numbers::escape;
 use gks_pipeline::look::Look;
 use gks_pipeline::record::{Record, Source, SourceError};
 use mapping::Mapping;
@@ -58,7 +59,11 @@ pub struct Interpreter<D> {
     drawn: bool,
     /// Our numbers of the fonts of the font list.
     fonts: Vec<i32>,
+    /// Whether the metafile is one of ours.
+    own: bool,
     text: Option<PendingText>,
+    /// How many polylines are still to come of one primitive, and those that have come.
+    compound: (usize, PathBuf<Wc>),
     figure: Option<Figure>,
     tiles: Option<TileArray>,
     segments: Segments,
@@ -82,7 +87,9 @@ impl<D: Decoder> Interpreter<D> {
             zero_is_background: false,
             drawn: false,
             fonts: Vec::new(),
+            own: false,
             text: None,
+            compound: Default::default(),
             figure: None,
             tiles: None,
             segments: Segments::default(),
@@ -102,6 +109,9 @@ impl<D: Decoder> Interpreter<D> {
             if self.mapping.is_none() {
                 return;
             }
+        }
+        if self.compound.0 > 0 && element.kind != Kind::Polyline {
+            self.end_compound();
         }
         if self.context.apply(element) {
             if element.kind == Kind::ColourTable
@@ -124,7 +134,7 @@ impl<D: Decoder> Interpreter<D> {
         match element.kind {
             Kind::BeginMetafile => {
                 (self.context, self.defaults) = (Context::default(), None);
-                (self.mapping, self.fonts) = (None, Vec::new());
+                (self.mapping, self.fonts, self.own) = (None, Vec::new(), false);
                 self.segments = Segments::default();
             }
             Kind::BeginPicture => {
@@ -177,7 +187,9 @@ impl<D: Decoder> Interpreter<D> {
                 self.fonts = names.map(fonts::number).collect();
             }
             Kind::MetafileDescription => {
-                self.zero_is_background = element.bytes(0).is_some_and(|text| text.starts_with(b"NCAR"));
+                let text = element.bytes(0).unwrap_or_default();
+                self.zero_is_background = text.starts_with(b"NCAR");
+                self.own = text == fonts::AUTHOR.as_bytes();
             }
             Kind::Message => {
                 if let Some(bytes) = element.bytes(1) {
@@ -188,6 +200,9 @@ impl<D: Decoder> Interpreter<D> {
                 if let (Some(kind @ 101..), Some(data)) = (element.integer(0), element.bytes(1)) {
                     self.queue.push(Entry::User(kind, data.to_vec()));
                 }
+            }
+            Kind::Escape if element.integer(0) == Some(escape::COMPOUND_PRIMITIVE) => {
+                self.begin_compound(element);
             }
             // What only says how elements are coded, or nothing about the picture.
             Kind::NoOp
@@ -296,6 +311,7 @@ impl<D: Decoder> Source for Interpreter<D> {
                     Some(element) => self.interpret(&element),
                     None => {
                         self.end_text();
+                        self.end_compound();
                         self.end_figure();
                         if self.queue.is_empty() {
                             return Ok(None);

@@ -47,7 +47,7 @@ pub(super) enum Drawing {
     /// An ellipse or a part of one.
     Ellipse(Ellipse<Ndc>, Role),
     /// Bezier curves.
-    Bezier(Vec<DVec2>),
+    Bezier(Vec<DVec2>, Role),
 }
 
 impl Drawing {
@@ -62,7 +62,7 @@ impl Drawing {
                 Shape::CellArray(*place, Cells::new(indices, *columns, *rows, *columns)?)
             }
             Drawing::Ellipse(ellipse, role) => Shape::Generalized(Curve::Ellipse(*ellipse), *role),
-            Drawing::Bezier(points) => Shape::Generalized(Curve::Bezier(points), Role::Line),
+            Drawing::Bezier(points, role) => Shape::Generalized(Curve::Bezier(points), *role),
         })
     }
 
@@ -73,7 +73,7 @@ impl Drawing {
             Drawing::Lines(paths) | Drawing::Area(paths) => {
                 !paths.ends.is_empty() && paths.points.iter().all(sound)
             }
-            Drawing::Markers(points) | Drawing::Bezier(points) => {
+            Drawing::Markers(points) | Drawing::Bezier(points, _) => {
                 !points.is_empty() && points.iter().all(sound)
             }
             Drawing::Text(at, text) => sound(&at.0) && !text.is_empty(),

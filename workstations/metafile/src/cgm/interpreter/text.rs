@@ -98,7 +98,7 @@ impl<D: Decoder> Interpreter<D> {
         let mapping = self.mapping();
         let text = self.context.text_look();
         let mut look = self.queue.look().clone();
-        look.text.font = fonts::listed(&self.fonts, text.font);
+        look.text.font = fonts::listed(&self.fonts, self.own, text.font);
         look.text.precision = Precision::from_number(text.precision).unwrap_or(Precision::String);
         look.text.expansion = text.expansion;
         look.text.spacing = text.spacing;
@@ -106,10 +106,13 @@ impl<D: Decoder> Interpreter<D> {
         let context = &self.context;
         // In units of the extent, whose hundredth is the default height.
         let height = context.height.map_or(0.01, |height| height * mapping.scale);
-        let up = mapping.vector(context.up).0.normalize_or(DVec2::Y) * height;
-        let ratio = context.base.length() / context.up.length();
-        let ratio = if ratio.is_finite() { ratio } else { 1.0 };
-        let base = mapping.vector(context.base).0.normalize_or(DVec2::X) * height * ratio;
+        let (mut up, mut base) = (mapping.vector(context.up).0, mapping.vector(context.base).0);
+        // Vectors of the right length are taken to the last digit.
+        if (up.length() - height).abs() > 1e-12 * height {
+            let ratio = context.base.length() / context.up.length();
+            let ratio = if ratio.is_finite() { ratio } else { 1.0 };
+            (up, base) = (up.normalize_or(DVec2::Y) * height, base.normalize_or(DVec2::X) * height * ratio);
+        }
         let geometry = &mut look.text_geometry;
         (geometry.height, geometry.width) = (Vector::from_vec(up), Vector::from_vec(base));
         geometry.path = TextPath::from_number(context.path).unwrap_or(TextPath::Right);

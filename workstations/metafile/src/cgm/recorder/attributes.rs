@@ -2,7 +2,6 @@
 
 use super::{CgmRecorder, Class};
 use crate::cgm::element::{Cells, Ink, Inks, Value};
-use crate::cgm::fonts;
 use crate::generated::elements::Kind;
 use gks_pipeline::look::{InteriorStyle, Look};
 use glam::DVec2;
@@ -52,8 +51,9 @@ impl CgmRecorder {
     /// Two vectors of which only the directions and the ratio of lengths count, with many digits.
     pub(super) fn directions(&self, vectors: [DVec2; 2]) -> [Value; 4] {
         let largest = vectors[0].abs().max(vectors[1].abs()).max_element();
-        let units = if self.grid.real { 1.0 } else { self.grid.most.min(16_777_216.0) };
-        let [u, v] = vectors.map(|vector| self.rounded(vector / largest * units));
+        // Real vectors keep their last digits.
+        let factor = if self.grid.real { 1.0 } else { self.grid.most.min(16_777_216.0) / largest };
+        let [u, v] = vectors.map(|vector| self.rounded(vector * factor));
         [u.x, u.y, v.x, v.y].map(Value::Real)
     }
 
@@ -87,7 +87,8 @@ impl CgmRecorder {
             return;
         }
         let text = self.tables.text(look);
-        self.set(Kind::TextFontIndex, integer(fonts::index(text.font)));
+        let font = self.fonts.index(text.font);
+        self.set(Kind::TextFontIndex, integer(font));
         self.set(Kind::TextPrecision, integer(text.precision as i32));
         self.set(Kind::CharacterExpansionFactor, real(text.expansion));
         self.set(Kind::CharacterSpacing, real(text.spacing));

@@ -8,7 +8,7 @@ use gks_geometry::{Ndc, PathBuf};
 use gks_pipeline::item::{Closure, Curve, Ellipse, Role};
 use gks_pipeline::look::Look;
 use glam::DVec2;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// How far chords may be from curves, in NDC.
 const TOLERANCE: f64 = 1e-5;
@@ -30,6 +30,13 @@ impl CgmRecorder {
                 let points = points.iter().map(|&p| self.coordinates(p)).collect();
                 self.put(Kind::Polybezier, [Value::Integer(2), Value::Points(points)]);
             }
+            (Curve::Bezier(points), Role::Area) if self.settings.version >= 3 => {
+                self.set_fill(look);
+                let points = points.iter().map(|&p| self.coordinates(p)).collect();
+                self.put(Kind::BeginFigure, []);
+                self.put(Kind::Polybezier, [Value::Integer(2), Value::Points(points)]);
+                self.put(Kind::EndFigure, []);
+            }
             _ => self.chords(shape, role, look),
         }
     }
@@ -44,19 +51,24 @@ impl CgmRecorder {
 
     fn ellipse(&mut self, e: &Ellipse<Ndc>) {
         let (centre, a, b) = (e.centre.0, e.a.0, e.b.0);
-        // Elements go from the first half diameter towards the second.
-        let (first, last) = (e.start, e.start + e.sweep);
-        let (start, end) = if e.sweep < 0.0 { (last, first) } else { (first, last) };
         let at = |t: f64| a * t.cos() + b * t.sin();
-        let circular = (a.length() - b.length()).abs() <= 1e-9 * a.length()
+        let (start, end) = (at(e.start), at(e.start + e.sweep));
+        // Elements go from the first half diameter towards the second, whole ellipses all around from the first.
+        let (a, b) = if e.closure == Closure::Full { (start, at(e.start + FRAC_PI_2)) } else { (a, b) };
+        let b = if e.sweep < 0.0 { -b } else { b };
+        let mut circular = (a.length() - b.length()).abs() <= 1e-9 * a.length()
             && a.dot(b).abs() <= 1e-9 * a.length_squared()
             && a.perp_dot(b) > 0.0;
+        if self.grid.real && e.closure == Closure::Full {
+            // Circles begin on the right: where nothing is to be lost, others are ellipses.
+            circular &= a.y == 0.0 && a.x > 0.0;
+        }
         let mut values = vec![Value::Point(self.coordinates(centre))];
         if !circular {
             values.extend([a, b].map(|half| Value::Point(self.coordinates(centre + half))));
         }
         if e.closure != Closure::Full {
-            values.extend(self.directions([at(start), at(end)]));
+            values.extend(self.directions([start, end]));
         }
         if circular {
             values.push(Value::Real(self.rounded(DVec2::splat(a.length() * self.scale)).x));

@@ -5,28 +5,30 @@
 //! the whole display surface in NDC under the workstation transformation, so that a viewport keeps its place; what is
 //! drawn is clipped to the workstation window. A new window or viewport takes effect with the next picture.
 //!
-//! Segments are drawn when their picture ends, as they are to be seen then; highlighting is not. A picture in which nothing
-//! is drawn is not written, unless it would be the only one.
+//! Versions of CGM before the second have no segments, and later ones no metafile that lives on after its picture: what
+//! is to be seen of segments is drawn. A picture that is drawn again takes the place of the old one, unless that has
+//! become so long that a part of it is written already. A picture in which nothing is drawn is not written, unless it
+//! would be the only one.
 
 mod attributes;
 mod curve;
+mod descriptor;
 mod primitive;
-mod segment;
 
 use super::element::{Element, Ink, Value};
 use super::encoder::{Encoder, Grid};
-use super::fonts;
+use super::fonts::FontList;
 use crate::generated::elements::{ELEMENTS, Kind};
-use gks_geometry::{Dc, Map, Ndc, Point, Rect};
+use gks_geometry::{Ndc, Point, Rect};
 use gks_pipeline::colour::Colour;
-use gks_pipeline::device::{DeviceError, Sink};
+use gks_pipeline::device::{DeviceError, Drawn, Sink};
+use gks_pipeline::generated::numbers::escape;
 use gks_pipeline::item::{Item, Shape};
 use gks_pipeline::look::Look;
-use gks_pipeline::record::{Record, Recorder};
+use gks_pipeline::record::{PictureRecorder, Record, Recorder};
 use gks_pipeline::tables::{Pattern, Tables};
 use gks_pipeline::workstation::WorkstationTransformation;
 use glam::DVec2;
-use segment::Segments;
 use std::collections::BTreeMap;
 
 /// What a metafile is to hold.
@@ -36,13 +38,12 @@ pub struct Settings {
     pub version: u8,
     /// Width and height of the display surface, in metres.
     pub size: (f64, f64),
-    /// Whether to write lines, markers, text, polygons and cells only, as NCAR's readers know them, and no more
-    /// fonts than they do.
+    /// Whether to write lines, markers, text, polygons and cells only, as NCAR's readers know them.
     pub plain: bool,
 }
 
-/// The most fonts that NCAR's readers know.
-const PLAIN_FONTS: usize = 20;
+/// The octets of a picture that are kept, so that it may be drawn again in its place.
+const HELD: usize = 1 << 20;
 
 impl Default for Settings {
     fn default() -> Self {
@@ -71,10 +72,18 @@ pub struct CgmRecorder {
     grid: Grid,
     origin: DVec2,
     scale: f64,
+    fonts: FontList,
+    /// The largest colour index that is written.
+    most_colour: u32,
+    /// Whether a sink is open.
     begun: bool,
+    /// Whether the descriptor is written.
+    described: bool,
     pictures: u32,
     /// Whether a picture is open.
     open: bool,
+    /// Where the open picture begins in `out`, if all of it is there.
+    start: Option<usize>,
     /// The parameters last written, by element.
     written: Vec<Option<Vec<Value>>>,
     /// The look for which attributes were last written, for each class.
@@ -83,7 +92,6 @@ pub struct CgmRecorder {
     patterns: BTreeMap<i32, Pattern>,
     /// Indices that stand for those the metafile has no room for.
     stand_ins: BTreeMap<u32, u32>,
-    segments: Segments,
     out: Vec<u8>,
 }
 
@@ -93,7 +101,8 @@ impl CgmRecorder {
         let (width, height) = settings.size;
         let whole =
             WorkstationTransformation { window: Rect::UNIT, viewport: Rect::new(0.0, width, 0.0, height) };
-        let grid = encoder.grid();
+        let (grid, most_colour) = (encoder.grid(), encoder.most_colour());
+        let fonts = if settings.plain { FontList::of_ncar() } else { FontList::new() };
         CgmRecorder {
             sink,
             encoder,
@@ -104,15 +113,18 @@ impl CgmRecorder {
             grid,
             origin: DVec2::ZERO,
             scale: grid.units,
+            fonts,
+            most_colour,
             begun: false,
+            described: false,
             pictures: 0,
             open: false,
+            start: None,
             written: vec![None; ELEMENTS.len()],
             looks: Default::default(),
             clip: None,
             patterns: BTreeMap::new(),
             stand_ins: BTreeMap::new(),
-            segments: Segments::default(),
             out: Vec::new(),
         }
     }
@@ -132,41 +144,27 @@ impl CgmRecorder {
         }
     }
 
-    /// Hands what was written on to the sink when there is enough of it.
-    fn flush(&mut self, least: usize) -> Result<(), DeviceError> {
-        if self.out.len() >= least {
-            self.sink.write(&self.out)?;
-            self.out.clear();
+    /// Hands what was written on to the sink when there is more of it than is kept.
+    fn flush(&mut self, kept: usize) -> Result<(), DeviceError> {
+        if self.out.len() <= kept {
+            return Ok(());
         }
-        Ok(())
+        if !std::mem::replace(&mut self.described, true) {
+            self.settle();
+            let descriptor = self.descriptor();
+            self.sink.write(&descriptor)?;
+        }
+        let written = self.sink.write(&self.out);
+        self.out.clear();
+        self.start = None;
+        Ok(written?)
     }
 
     fn begin_metafile(&mut self) -> Result<(), DeviceError> {
-        if self.begun {
-            return Ok(());
-        }
-        self.begun = true;
-        self.sink.open()?;
-        let text = |text: &str| Value::Text(text.as_bytes().to_vec());
-        self.put(Kind::BeginMetafile, [text("GKS")]);
-        self.put(Kind::MetafileVersion, [Value::Integer(i32::from(self.settings.version))]);
-        self.put(Kind::MetafileDescription, [text("written by GKS")]);
-        self.put(Kind::MetafileElementList, [text("DRAWINGPLUS")]);
-        self.put(Kind::VdcType, [Value::Integer(i32::from(self.grid.real))]);
-        for element in self.encoder.precisions() {
-            self.encoder.encode(&element, &mut self.out);
-        }
-        let most = self.encoder.most_colour();
-        self.put(Kind::MaximumColourIndex, [Value::Ink(Ink::Index(most))]);
-        let count = if self.settings.plain { PLAIN_FONTS } else { usize::MAX };
-        self.put(Kind::FontList, fonts::names().take(count).map(text).collect::<Vec<_>>());
-        let coordinates = self.encoder.coordinate_precisions();
-        if !coordinates.is_empty() {
-            self.put(Kind::BeginMetafileDefaultsReplacement, []);
-            for element in coordinates {
-                self.encoder.encode(&element, &mut self.out);
-            }
-            self.put(Kind::EndMetafileDefaultsReplacement, []);
+        if !std::mem::replace(&mut self.begun, true) {
+            self.sink.open()?;
+            // The encoder learns its precisions.
+            self.descriptor();
         }
         Ok(())
     }
@@ -177,6 +175,7 @@ impl CgmRecorder {
         }
         self.begin_metafile()?;
         (self.open, self.pictures) = (true, self.pictures + 1);
+        self.start = Some(self.out.len());
         self.current = self.requested;
         self.written.fill(None);
         self.looks = Default::default();
@@ -184,8 +183,10 @@ impl CgmRecorder {
         self.patterns.clear();
         let surface = self.surface();
         let size = DVec2::new(surface.width(), surface.height());
-        self.origin = surface.min.0;
-        self.scale = self.grid.units / size.max_element();
+        if !self.grid.real {
+            self.scale = self.grid.units / size.max_element();
+            self.origin = surface.min.0;
+        }
         let name = format!("picture {}", self.pictures);
         self.put(Kind::BeginPicture, [Value::Text(name.into_bytes())]);
         self.put(Kind::ScalingMode, [Value::Integer(0), Value::Real(1.0)]);
@@ -203,7 +204,7 @@ impl CgmRecorder {
 
     /// The colour table: runs of entries that follow one another.
     fn put_colours(&mut self) {
-        let most = self.encoder.most_colour();
+        let most = self.most_colour;
         let all: Vec<(u32, Colour)> =
             self.tables.colours.iter().filter(|(index, _)| *index <= most).collect();
         for run in all.chunk_by(|a, b| a.0 + 1 == b.0) {
@@ -211,12 +212,31 @@ impl CgmRecorder {
             let colours = run.iter().map(|(_, colour)| Value::Ink(Ink::Direct(*colour)));
             self.put(Kind::ColourTable, std::iter::once(start).chain(colours).collect::<Vec<_>>());
         }
+        for (index, colour) in all {
+            self.put_opacity(index, colour);
+        }
+    }
+
+    /// An entry of the colour table.
+    fn put_colour(&mut self, index: u32, colour: Colour) {
+        self.put(Kind::ColourTable, [Value::Ink(Ink::Index(index)), Value::Ink(Ink::Direct(colour))]);
+        self.put_opacity(index, colour);
+    }
+
+    /// The opacity of a colour, which the standard does not have: an escape with the index and the opacity as text.
+    fn put_opacity(&mut self, index: u32, colour: Colour) {
+        if colour.alpha != 1.0 {
+            let data = format!("{index} {}", colour.alpha).into_bytes();
+            self.put(Kind::Escape, [Value::Integer(escape::SET_COLOUR_ALPHA), Value::Data(data)]);
+        }
     }
 
     fn end_picture(&mut self) -> Result<(), DeviceError> {
-        self.draw_segments()?;
         if std::mem::take(&mut self.open) {
             self.put(Kind::EndPicture, []);
+            // A complete picture outlives the program.
+            self.flush(0)?;
+            self.sink.flush()?;
         }
         Ok(())
     }
@@ -236,16 +256,23 @@ impl CgmRecorder {
             Shape::CellArray(place, cells) => self.cells(&place, &cells),
             Shape::Generalized(curve, role) => self.curve(&curve, role, item.look),
         }
-        self.flush(1 << 16)
+        self.flush(HELD)
     }
 
     /// The display surface in NDC, under the transformation of the picture.
     fn surface(&self) -> Rect<Ndc> {
         let WorkstationTransformation { window, viewport } = self.current;
+        let (wide, high) = (window.width() / viewport.width(), window.height() / viewport.height());
+        // As a fraction, which is nothing but the window where the viewport is the whole surface.
+        let (part, whole) = if wide > high {
+            (window.width(), viewport.width())
+        } else {
+            (window.height(), viewport.height())
+        };
+        let ndc = |metres: f64| metres / whole * part;
+        let (left, bottom) = (window.min.x() - ndc(viewport.min.x()), window.min.y() - ndc(viewport.min.y()));
         let (width, height) = self.settings.size;
-        let whole = Rect::<Dc>::new(0.0, width, 0.0, height);
-        let back = Map::window_into_viewport(&window, &viewport).inverse();
-        back.map(|back| back.rect(&whole)).filter(Rect::is_proper).unwrap_or(window)
+        Rect::new(left, left + ndc(width), bottom, bottom + ndc(height))
     }
 
     /// The virtual device coordinates of a point of NDC.
@@ -262,7 +289,7 @@ impl CgmRecorder {
     /// The index under which a colour index is written.
     fn colour(&mut self, index: u32) -> u32 {
         let paint = self.tables.paint(index);
-        let most = self.encoder.most_colour();
+        let most = self.most_colour;
         if paint.index <= most {
             return paint.index;
         }
@@ -274,8 +301,7 @@ impl CgmRecorder {
         let index = match (same, free()) {
             (Some((at, _)), _) => at,
             (None, Some(at)) => {
-                let entry = [Value::Ink(Ink::Index(at)), Value::Ink(Ink::Direct(paint.colour))];
-                self.put(Kind::ColourTable, entry);
+                self.put_colour(at, paint.colour);
                 // It is taken from now on.
                 self.tables.colours.set(at, paint.colour);
                 at
@@ -290,8 +316,8 @@ impl CgmRecorder {
         self.tables.colours.set(index, colour);
         self.stand_ins.remove(&index);
         self.looks = Default::default();
-        if self.open && index <= self.encoder.most_colour() {
-            self.put(Kind::ColourTable, [Value::Ink(Ink::Index(index)), Value::Ink(Ink::Direct(colour))]);
+        if self.open && index <= self.most_colour {
+            self.put_colour(index, colour);
         }
     }
 
@@ -319,14 +345,13 @@ fn nearest(tables: &Tables, most: u32, colour: Colour) -> u32 {
 
 impl Recorder for CgmRecorder {
     fn draw(&mut self, item: &Item<'_>) -> Result<(), DeviceError> {
-        if self.segments.keep(item) { Ok(()) } else { self.write(item) }
+        self.write(item)
     }
 
     fn control(&mut self, record: &Record<'_>) -> Result<(), DeviceError> {
         match record {
             Record::Clear { .. } => {
                 self.end_picture()?;
-                self.segments.clear();
                 self.current = self.requested;
             }
             Record::ColourRepresentation(index, colour) => self.set_colour(*index, *colour),
@@ -358,11 +383,12 @@ impl Recorder for CgmRecorder {
                 self.begin_metafile()?;
                 self.put(Kind::ApplicationData, [Value::Integer(*kind), Value::Data(data.to_vec())]);
             }
-            other => self.segments.control(other),
+            // What segments do is drawn.
+            _ => {}
         }
         // Whatever a table says may change what attributes are resolved to.
         self.looks = Default::default();
-        self.flush(1 << 16)
+        self.flush(HELD)
     }
 
     fn close(&mut self) -> Result<(), DeviceError> {
@@ -374,5 +400,20 @@ impl Recorder for CgmRecorder {
         self.flush(0)?;
         self.sink.finish()?;
         Ok(())
+    }
+}
+
+impl PictureRecorder for CgmRecorder {
+    fn erase(&mut self) -> Result<Drawn, DeviceError> {
+        match (self.open, self.start) {
+            (false, _) => Ok(Drawn::Yes),
+            (true, Some(start)) => {
+                self.out.truncate(start);
+                (self.open, self.start) = (false, None);
+                self.pictures -= 1;
+                Ok(Drawn::Yes)
+            }
+            (true, None) => Ok(Drawn::No),
+        }
     }
 }

@@ -2,10 +2,12 @@
 
 use super::CgmRecorder;
 use super::attributes::encoded;
+use crate::cgm::MOST_LINES;
 use crate::cgm::element::{self, Inks, Value};
 use crate::generated::elements::Kind;
 use gks_algorithms::clip;
 use gks_geometry::{Ndc, Paths, Point};
+use gks_pipeline::generated::numbers::escape;
 use gks_pipeline::item::{Cells, Parallelogram};
 use gks_pipeline::look::Look;
 use glam::DVec2;
@@ -25,21 +27,28 @@ impl CgmRecorder {
     pub(super) fn lines(&mut self, paths: Paths<'_, Ndc>, look: &Look) {
         self.set_line(look);
         let (least, most) = self.reach();
-        for path in paths.iter() {
-            if path.iter().all(|p| p.cmpge(least).all() && p.cmple(most).all()) {
-                self.polyline(path);
-                continue;
-            }
-            // What is far away would not keep its direction.
-            let (mut points, mut ends) = (Vec::new(), Vec::new());
-            clip::polyline((least, most), path, &mut points, &mut ends);
-            for piece in Paths::<Ndc>::new(&points, &ends).iter() {
-                self.polyline(piece);
-            }
+        if paths.points.iter().all(|p| p.cmpge(least).all() && p.cmple(most).all()) {
+            return self.polylines(paths);
         }
+        // What is far away would not keep its direction.
+        let (mut points, mut ends) = (Vec::new(), Vec::new());
+        for path in paths.iter() {
+            clip::polyline((least, most), path, &mut points, &mut ends);
+        }
+        self.polylines(Paths::new(&points, &ends));
     }
 
-    pub(super) fn polyline(&mut self, path: &[DVec2]) {
+    /// Lines that are drawn as one: an escape says how many, for readers to whom that matters where they overlap.
+    fn polylines(&mut self, paths: Paths<'_, Ndc>) {
+        let count = paths.iter().count();
+        if (2..=MOST_LINES).contains(&count) && !self.settings.plain {
+            let data = count.to_string().into_bytes();
+            self.put(Kind::Escape, [Value::Integer(escape::COMPOUND_PRIMITIVE), Value::Data(data)]);
+        }
+        paths.iter().for_each(|path| self.polyline(path));
+    }
+
+    fn polyline(&mut self, path: &[DVec2]) {
         let points = self.points(path);
         self.put(Kind::Polyline, [Value::Points(points)]);
     }

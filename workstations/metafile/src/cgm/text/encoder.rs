@@ -6,7 +6,6 @@ use crate::cgm::encoder::{Coordinates, Encoder, Grid};
 use crate::cgm::parameter::Parameter;
 use crate::generated::elements::Kind;
 use gks_pipeline::colour::Colour;
-use std::fmt::Write as _;
 
 /// How long lines may become.
 const COLUMNS: usize = 76;
@@ -127,13 +126,10 @@ impl Default for TextEncoder {
     }
 }
 
-/// A real number with as many digits as single precision needs, at least one before and after the point.
+/// A real number with all its digits; what is far smaller than the others is nothing.
 fn number(x: f64) -> String {
-    let x = if x.is_finite() { x } else { 0.0 };
-    let mut text = String::new();
-    let _ = write!(text, "{x:.9}");
-    let shorter = text.trim_end_matches('0').trim_end_matches('.');
-    if shorter == "-0" { "0".to_owned() } else { shorter.to_owned() }
+    let x = if x.is_finite() && x.abs() > 1e-30 { x } else { 0.0 };
+    x.to_string()
 }
 
 impl Encoder for TextEncoder {
@@ -151,7 +147,7 @@ impl Encoder for TextEncoder {
             Kind::ColourPrecision => self.word("255"),
             Kind::ColourIndexPrecision => self.word("65535"),
             Kind::RealPrecision | Kind::VdcRealPrecision => {
-                for word in ["-32768.", "32767.", "9"] {
+                for word in ["-32768.", "32767.", "17"] {
                     self.word(word);
                 }
             }
