@@ -1,8 +1,12 @@
 //! Metafiles written and read again, whole and damaged.
 
+use super::character::decoder::CharacterDecoder;
+use super::decoder::Decoder;
+use super::element::{Element, Value};
 use super::encoder::Coordinates;
 use super::recorder::Settings;
 use super::{Encoding, count_binary, count_character, count_text, create, open};
+use crate::generated::elements::Kind;
 use gks_geometry::{Ndc, PathBuf, Point, Rect, Vector};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::device::Sink;
@@ -236,5 +240,28 @@ fn formats_are_told_apart() {
     assert_eq!(Encoding::of(b"0 \x1bXname\x1b\\"), Some(Encoding::Character));
     for other in [&b""[..], b"\x89PNG\r\n", b"GKSM", b"0 1 2", b"BEGIN", &[0; 64]] {
         assert_eq!(Encoding::of(other), None, "{other:?}");
+    }
+}
+
+/// Control characters, spaces and tildes in substitutes, the terminator of their list among them or as it is; a width
+/// of 2048 units of the precision that holds where none is stated.
+#[test]
+fn characters_may_have_substitutes() {
+    for begin in
+        [&b"0 ~@~[~\\~`~>~[\\~[Xa~`b~[\\"[..], b"0 ~`~>\x1b\\\x1bXa b\x1b\\", b"0 \x1b\\\x1bXa b\x1b\\"]
+    {
+        let (space, tilde): (&[u8], &[u8]) =
+            if begin.get(2) == Some(&b'~') { (b"~`", b"~>") } else { (b" ", b"~") };
+        // LINE WIDTH, POLYLINE from 2, -1 by 1984 up.
+        let octets = [begin, b"5\"b`@", space, b"BQ@a", tilde, b"@"].concat();
+        let mut decoder = CharacterDecoder::new(&octets[..]);
+        let points = [(2.0, -1.0), (2.0, 1983.0)].map(|(x, y)| DVec2::new(x, y));
+        for element in [
+            Element::new(Kind::BeginMetafile, [Value::Text(b"a b".to_vec())]),
+            Element::new(Kind::LineWidth, [Value::Real(2.0)]),
+            Element::new(Kind::Polyline, [Value::Points(points.to_vec())]),
+        ] {
+            assert_eq!(decoder.next().unwrap(), Some(element));
+        }
     }
 }

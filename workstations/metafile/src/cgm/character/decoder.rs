@@ -99,6 +99,28 @@ impl<R: Read> CharacterDecoder<R> {
         }))
     }
 
+    /// The substitution string of BEGIN METAFILE: the characters that a tilde and another one stand for from here on,
+    /// in their substitutes.
+    fn substitution(&mut self) -> Result<(), SourceError> {
+        while let Some(first) = self.octet()? {
+            if first != b'~' {
+                // What comes after the string, or the terminator of it.
+                self.at -= 1;
+                break;
+            }
+            self.substitutes = true;
+            // The terminator itself, as substitutes have it.
+            if self.octet()? == Some(b'[') {
+                match self.octet()? {
+                    Some(b'\\') => break,
+                    Some(_) => self.at -= 1,
+                    None => {}
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// The opcode that comes next, after what belongs to none.
     fn next_opcode(&mut self) -> Result<Option<Vec<u8>>, SourceError> {
         if let Some(opcode) = self.opcode.take() {
@@ -179,18 +201,17 @@ impl<R: Read> CharacterDecoder<R> {
         while !self.ended {
             let Some(opcode) = self.next_opcode()? else { break };
             let row = ELEMENTS.iter().find(|row| !row.opcode.is_empty() && row.opcode == opcode);
+            if row.is_some_and(|row| row.kind == Kind::BeginMetafile) {
+                self.substitutes = false;
+                self.substitution()?;
+            }
             let operands = self.operands()?;
             let Some(row) = row else {
                 self.skipped += 1;
                 continue;
             };
             match row.kind {
-                Kind::BeginMetafile => {
-                    (self.coding, self.defaults) = (Coding::default(), None);
-                    // What comes before the name says which characters are substituted.
-                    self.substitutes =
-                        operands.iter().position(|&c| c == 0x1b || c == 0x98).is_some_and(|at| at > 0);
-                }
+                Kind::BeginMetafile => (self.coding, self.defaults) = (Coding::default(), None),
                 Kind::EndMetafile => self.substitutes = false,
                 Kind::BeginPicture => {
                     self.coding = self.defaults.get_or_insert_with(|| self.coding.clone()).clone();
@@ -198,6 +219,7 @@ impl<R: Read> CharacterDecoder<R> {
                 _ => {}
             }
             let mut operands = Operands::new(&operands);
+            // A terminator of the substitution string leaves its second character.
             while row.kind == Kind::BeginMetafile && operands.character().is_some() {}
             let mut element = Element::new(row.kind, []);
             if self.coding.list(row.parameters, &mut operands, &mut element.values).is_none()

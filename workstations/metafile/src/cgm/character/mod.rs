@@ -19,5 +19,6 @@ struct RealCoding {
 }
 
 impl RealCoding {
-    const DEFAULT: RealCoding = RealCoding { exponent: 0, explicit: true };
+    /// Where no precision is stated: fractions of ten bits.
+    const DEFAULT: RealCoding = RealCoding { exponent: -10, explicit: false };
 }
