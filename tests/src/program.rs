@@ -33,7 +33,8 @@ pub fn library() -> &'static Path {
 /// A library of a package, which is built if it is not up to date.
 pub fn built(package: &str, library: &str) -> PathBuf {
     let built = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["build", "--quiet", "--package", package, "--message-format", "json"])
+        // Together with the command dependencies have the features that they have in the whole workspace.
+        .args(["build", "--quiet", "--package", package, "--package", "gks-cli", "--message-format", "json"])
         .current_dir(repository())
         .output()
         .expect("cargo runs");

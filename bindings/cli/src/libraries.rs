@@ -106,7 +106,9 @@ fn checkout(folder: &Path) -> Option<&Path> {
 /// what is `present` is taken as it is.
 pub(crate) fn build(root: &Path, folder: &Path, package: &str, present: bool) -> Result<(), Failure> {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.args(["build", "--quiet", "--package", package, "--manifest-path"]).arg(root.join("Cargo.toml"));
+    // Together with the command dependencies have the features that they were built with for it.
+    cargo.args(["build", "--quiet", "--package", package, "--package", "gks-cli", "--manifest-path"]);
+    cargo.arg(root.join("Cargo.toml"));
     if folder.ends_with("release") {
         cargo.arg("--release");
     }

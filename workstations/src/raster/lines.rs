@@ -5,7 +5,7 @@
 
 use super::bitmap::Bitmap;
 use super::composite::{Ink, Pixel, over, pixel};
-use super::stroke::Stroke;
+use super::stroke::{Stroke, settled};
 use gks_algorithms::coverage::SampleMask;
 use gks_algorithms::line::m4;
 use gks_algorithms::rect::IRect;
@@ -16,8 +16,9 @@ use glam::{DVec2, IVec2};
 
 /// How far vertices that are left out may be from the line drawn, in pixels: the distance of samples.
 const TOLERANCE: f64 = 0.125;
-/// Vertices are left out of paths of more points than this.
-const LONG: usize = 256;
+/// Vertices are left out of paths that have more points than this for each column of pixels: four for each column that
+/// samples are in. Paths of fewer points would hardly become shorter, and keep their corners as they are.
+const DENSE: usize = 32;
 /// The bounds of paths of no more points than this are looked for.
 const SHORT: usize = 4096;
 /// The most pixels for which samples are kept at a time: 16 MiB of them.
@@ -44,14 +45,20 @@ impl Lines {
 
     /// Draws paths with a pen.
     pub(super) fn draw(&mut self, bitmap: &mut Bitmap, paths: Paths<'_, Du>, pen: &Pen<'_>) {
-        let width = visible_width(pen.width);
+        let width = settled(DVec2::splat(visible_width(pen.width))).x;
         // Lines fainter than a pixel are a pixel wide and translucent, so that they look alike at any place.
         let strength = if width > 0.0 { (width.min(1.0) * 255.0).round() as u8 } else { 255 };
         let (columns, rows) = bitmap.size();
         let raster = IRect::of_size(columns as i32, rows as i32);
         if let (&[a, b], &[_]) = (paths.points, paths.ends)
             && pen.cap != Cap::Round
-            && lone(bitmap, (a, b), width.max(1.0), pen.cap, (pixel(pen.paint.colour), strength))
+            && lone(
+                bitmap,
+                (settled(a), settled(b)),
+                width.max(1.0),
+                pen.cap,
+                (pixel(pen.paint.colour), strength),
+            )
         {
             return;
         }
@@ -66,7 +73,7 @@ impl Lines {
         for top in (window.min.y..window.max.y).step_by(band as usize) {
             let bottom = window.max.y.min(top.saturating_add(band));
             self.mask.begin(IRect::new(IVec2::new(window.min.x, top), IVec2::new(window.max.x, bottom)));
-            self.follow(paths);
+            self.follow(paths, columns);
             self.mask.drain(|row, column, words| {
                 let columns = column as usize..column as usize + words.len();
                 ink.over_all(bitmap.span(row as usize, columns), words);
@@ -94,12 +101,13 @@ impl Lines {
         IRect::new(inside(bounds.min.0), inside(bounds.max.0 + 1.0))
     }
 
-    /// Adds the samples of paths.
-    fn follow(&mut self, paths: Paths<'_, Du>) {
+    /// Adds the samples of paths on a raster of so many columns.
+    fn follow(&mut self, paths: Paths<'_, Du>, columns: u32) {
+        let dense = DENSE * columns as usize;
         let Lines { mask, stroke } = self;
         let mut polygon = |ring: &[DVec2]| mask.polygon(ring);
         for path in paths.iter() {
-            if path.len() > LONG {
+            if path.len() > dense {
                 // Of the needles that miters make of a line that goes to and fro most would be left out.
                 let join = stroke.replace_join(|join| if join == Join::Miter { Join::Bevel } else { join });
                 m4(path.iter().copied(), TOLERANCE, |p| stroke.to(p, &mut polygon));

@@ -2,6 +2,7 @@
 
 use super::bitmap::Bitmap;
 use super::composite::{Ink, Pixel};
+use super::stroke::settled;
 use gks_algorithms::coverage::SampleMask;
 use gks_algorithms::rect::IRect;
 use glam::{DVec2, IVec2};
@@ -55,7 +56,7 @@ impl Stamps {
     ) {
         let places = f64::from(PLACES);
         // Counted from farther out than a stamp reaches, so that all is positive.
-        let near = (at + LARGEST) * places + 0.5;
+        let near = (settled(at) + LARGEST) * places + 0.5;
         let most = f64::from(i32::MAX >> 1);
         if !(0.0..most).contains(&near.x) || !(0.0..most).contains(&near.y) {
             return;
@@ -117,6 +118,7 @@ impl Stamp {
 #[inline]
 pub(super) fn dot(bitmap: &mut Bitmap, at: DVec2, ink: &Ink, above: Pixel) {
     let (width, height) = bitmap.size();
+    let at = settled(at);
     if at.x >= 0.0 && at.y >= 0.0 && at.x <= f64::from(width) && at.y <= f64::from(height) {
         // The far edges of the display surface belong to the last pixels.
         let (column, row) = ((at.x as u32).min(width - 1), (at.y as u32).min(height - 1));

@@ -13,6 +13,16 @@ const SMALLEST_GAP: f64 = 0.02;
 /// A miter is at most this many times as long as the line is wide.
 const MITER_LIMIT: f64 = 10.0;
 
+/// A point on a grid so fine that nobody sees it, 4096 to the pixel. Points that differ by the rounding of their
+/// arithmetic only, as the same point does before and after a metafile, meet there, and so have the same samples.
+#[inline]
+pub(super) fn settled(p: DVec2) -> DVec2 {
+    // Adding this leaves no room for anything finer: a rounding that costs two additions.
+    const GRID: f64 = (3u64 << 51) as f64 / 4096.0;
+    let settled = (p + GRID) - GRID;
+    if p.abs().max_element() < GRID * 0.25 { settled } else { p }
+}
+
 /// Follows paths with a pen and gives the convex polygons that make up the line. They overlap.
 ///
 /// Each point is looked at once, so that a path may be reduced on its way here.
@@ -53,7 +63,7 @@ impl Stroke {
 
     /// Takes a pen of a width.
     pub(super) fn begin(&mut self, width: f64, cap: Cap, join: Join) {
-        let half = width * 0.5;
+        let half = settled(DVec2::splat(width * 0.5)).x;
         if half != self.half || self.disc.is_empty() {
             let step = 2.0 * (1.0 - (TOLERANCE / half).min(0.5)).acos();
             let corners = (TAU / step).ceil().clamp(8.0, 720.0);
@@ -78,6 +88,7 @@ impl Stroke {
     /// Goes on to the next point of a path. What is not a number is left out.
     #[inline]
     pub(super) fn to(&mut self, p: DVec2, polygon: &mut impl FnMut(&[DVec2])) {
+        let p = settled(p);
         if !p.is_finite() || self.count > 0 && p == self.last {
             return;
         }
@@ -188,6 +199,18 @@ mod tests {
             });
         });
         rows.into_iter().map(|row| row.into_iter().collect()).collect()
+    }
+
+    #[test]
+    fn points_settle_on_a_fine_grid() {
+        for x in [0.0, 100.0625, -3.5, 1e5] {
+            for noise in [0.0, 1e-10, -1e-10] {
+                assert_eq!(settled(DVec2::new(x + noise, 1.0)), DVec2::new(x, 1.0));
+            }
+        }
+        assert!((settled(DVec2::splat(0.3)).x - 0.3).abs() <= 0.5 / 4096.0);
+        let far = DVec2::new(1e300, 0.1);
+        assert_eq!(settled(far), far);
     }
 
     #[test]
