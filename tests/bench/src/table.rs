@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::comparison::{Cell, Row};
-use crate::gate::{Gate, gates};
+use crate::gate::{Gate, ROWS, gates};
 use crate::machine;
 use crate::peer::OURS;
 use std::fmt::Write;
@@ -19,6 +19,14 @@ pub(crate) fn text(rows: &[Row]) -> String {
     let columns = [OURS, "tiny-skia", "vello_cpu", "cairo", "AGG", "NCAR", "XGKS"];
     section(&mut text, "pictures in memory, ms", &columns, &pixels);
     section(&mut text, "files, ms / MB", &[OURS, "cairo", "NCAR"], &files);
+    let left_out: Vec<&str> = ROWS
+        .iter()
+        .filter(|(workload, _, device)| !rows.iter().any(|r| (r.workload, r.device) == (*workload, *device)))
+        .map(|(_, what, _)| *what)
+        .collect();
+    if !left_out.is_empty() {
+        let _ = writeln!(text, "\nNot run this time: {}.", left_out.join("; "));
+    }
     let missed: Vec<&&Row> = pixels.iter().chain(&files).filter(|row| row.misses()).collect();
     if missed.is_empty() {
         return text;
