@@ -44,6 +44,7 @@ impl Colour {
     }
 
     /// The four components as bytes, rounded to nearest.
+    #[inline]
     pub fn to_bytes(self) -> [u8; 4] {
         [self.red, self.green, self.blue, self.alpha].map(|c| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8)
     }
