@@ -273,6 +273,42 @@ typedef struct Gnumdev { Gint locator, stroke, valuator, choice, pick, string; }
 typedef union Gescin { struct { Gint dummy; } escid1; struct { Gint dummy; } escid2; } Gescin;
 typedef union Gescout { struct { Gint dummy; } escid1; struct { Gint dummy; } escid2; } Gescout;
 
+/* The functions by their numbers, which the error handling function of a program is given. */
+typedef enum Gerrmap {
+    errnull, errgopengks, errgclosegks, errgopenws, errgclosews, errgactivatews, errgdeactivatews, errgclearws,
+    errgredrawsegws, errgupdatews, errgsetdeferst, errgmessage, errgescredrawnotify, errgescsetcolourmask,
+    errgescsetdcsize, errgescstoreprimi, errgescinqxattr, errgpolyline, errgpolymarker, errgtext, errgfillarea,
+    errgcellarray, errggdp, errgsetlineind, errgsetlinetype, errgsetlinewidth, errgsetlinecolourind,
+    errgsetmarkerind, errgsetmarkertype, errgsetmarkersize, errgsetmarkercolourind, errgsettextind,
+    errgsettextfontprec, errgsetcharexpan, errgsetcharspace, errgsettextcolourind, errgsetcharheight, errgsetcharup,
+    errgsettextpath, errgsettextalign, errgsetfillind, errgsetfillintstyle, errgsetfillstyleind,
+    errgsetfillcolourind, errgsetpatsize, errgsetpatrefpt, errgsetasf, errgsetpickid, errgsetlinerep,
+    errgsetmarkerrep, errgsetpatrep, errgsetfillrep, errgsettextrep, errgsetcolourrep, errgsetwindow,
+    errgsetviewport, errgsetviewportinputpri, errgselntran, errgsetclip, errgsetwswindow, errgsetwsviewport,
+    errgcreateseg, errgcloseseg, errgrenameseg, errgdelseg, errgdelsegws, errgassocsegws, errgcopysegws,
+    errginsertseg, errgsetsegtran, errgsetvis, errgsethighlight, errgsetsegpri, errgsetdet, errgsetsegattr,
+    errginitloc, errginitstroke, errginitval, errginitchoice, errginitpick, errginitstring, errgsetlocmode,
+    errgsetstrokemode, errgsetvalmode, errgsetchoicemode, errgsetpickmode, errgsetstringmode, errgreqloc,
+    errgreqstroke, errgreqval, errgreqchoice, errgreqpick, errgreqstring, errgsampleloc, errgsamplestroke,
+    errgsampleval, errgsamplechoice, errgsamplepick, errgsamplestring, errgawaitevent, errgflushevents, errggetloc,
+    errggetstroke, errggetval, errggetchoice, errggetpick, errggetstring, errgwritegksm, errggettypegksm,
+    errgreadgksm, errggetgksm, errginterpret, errgevaltran, errgaccumtran, errgemergencyclosegks, errgerrorhand,
+    errgerrorlog, errginqactivews, errginqasf, errginqassocws, errginqavailgdp, errginqavailwstypes,
+    errginqchoicest, errginqclip, errginqcolourfacil, errginqcolourindices, errginqcolourrep, errginqcurntrannum,
+    errginqdefchoice, errginqdefdeferst, errginqdefloc, errginqdefpick, errginqdefstring, errginqdefstroke,
+    errginqdefval, errginqdisplayspacesize, errginqdisplaysize, errginqfillfacil, errginqfillindices,
+    errginqfillrep, errginqgdp, errginqindivattr, errginqinputoverflow, errginqlevelgks, errginqlinefacil,
+    errginqlineindices, errginqlinerep, errginqlocst, errginqmarkerfacil, errginqmarkerindices, errginqmarkerrep,
+    errginqmaxntrannum, errginqmaxwssttables, errginqmodsegattr, errginqmodwsattr, errginqmoreevents,
+    errginqnameopenseg, errginqntrannum, errginqntran, errginqnumavailinput, errginqnumsegpri, errginqopenws,
+    errginqopst, errginqpatfacil, errginqpatindices, errginqpatrep, errginqcurpickid, errginqpickst, errginqpixel,
+    errginqpixelarray, errginqpixelarraydim, errginqpredcolourrep, errginqpredfillrep, errginqpredlinerep,
+    errginqpredmarkerrep, errginqpredpatrep, errginqpredtextrep, errginqprimattr, errginqsegattr, errginqsegnames,
+    errginqsegnamesws, errginqstringst, errginqstrokest, errginqtextextent, errginqtextfacil, errginqtextindices,
+    errginqtextrep, errginqvalst, errginqwscategory, errginqwsclass, errginqwsconntype, errginqwsdeferupdatest,
+    errginqwsmaxnum, errginqwsst, errginqwstran
+} Gerrmap;
+
 Gint gopenws(Gint wsid, Gchar *connection, Gchar *ws_type);
 Gint gclosews(Gint wsid);
 Gint gclearws(Gint wsid, Gclrflag control_flag);
