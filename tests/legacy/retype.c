@@ -1,5 +1,6 @@
 /* Preloaded under the original GKS of NCAR Graphics: opens a PostScript workstation (type 20) where a program
-   asks for a metafile (type 1), so that the same binary draws something that can be looked at. With RETYPE, the number of a
+   asks for a metafile (type 1), so that the same binary draws something that can be looked at, and upright PostScript in the place of that on
+   landscape paper (types 26 to 31), so that all pictures stand alike. With RETYPE, the number of a
    workstation type, that type is opened in the place of all but segment storage (type 3). */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -8,14 +9,16 @@
 
 void gopwk_(const int *wkid, const int *conid, const int *type)
 {
-    static const int postscript = 20;
     const char *all = getenv("RETYPE");
-    const int chosen = all ? atoi(all) : 0;
+    int chosen = *type;
     void (*original)(const int *, const int *, const int *) = dlsym(RTLD_NEXT, "gopwk_");
     if (all && *type != 3)
-        original(wkid, conid, &chosen);
-    else
-        original(wkid, conid, *type == 1 ? &postscript : type);
+        chosen = atoi(all);
+    else if (*type == 1)
+        chosen = 20;
+    else if (*type >= 26 && *type <= 31)
+        chosen = *type - 6;
+    original(wkid, conid, &chosen);
 }
 
 /* ESCAPE, but for -1521, which places the picture on the paper and partly beside it: what is compared is the unit square,

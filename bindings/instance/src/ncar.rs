@@ -173,7 +173,7 @@ impl Instance {
             return self.gks.open_workstation(workstation, name, kind);
         };
         self.gks.open_workstation(workstation, &paper.connection(name), kind)?;
-        paper.place(&mut self.gks, workstation)
+        paper.place(&mut self.gks, workstation, kind)
     }
 }
 

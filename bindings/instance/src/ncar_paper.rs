@@ -15,7 +15,8 @@ const LETTER: [f64; 2] = [612.0, 792.0];
 /// What a program has said about the paper of the workstations that it opens next, in points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Paper {
-    /// The lower left and the upper right corner of the unit square: x, y, x, y.
+    /// The lower left and the upper right corner of the unit square: x, y, x, y on the upright paper, also where the picture
+    /// lies on its side.
     pub(crate) square: Option<[f64; 4]>,
     /// Width and height, upright.
     pub(crate) size: [Option<f64>; 2],
@@ -26,6 +27,11 @@ fn draws_on_paper(kind: i32) -> bool {
     matches!(kind, 11 | 12 | 20..=31 | 40 | 42 | 45)
 }
 
+/// Whether a workstation type on paper has the upper edge of its picture at the right edge of the upright paper.
+fn is_landscape(kind: i32) -> bool {
+    matches!(kind, 12 | 26..=31)
+}
+
 impl Paper {
     /// What the program has said if it holds for a workstation type; what the user has chosen goes first.
     pub(crate) fn of(self, kind: i32, environment: &Environment) -> Option<Paper> {
@@ -34,17 +40,27 @@ impl Paper {
         Some(self).filter(|paper| *paper != Paper::default() && draws_on_paper(kind) && !is_chosen)
     }
 
+    /// Width and height of the upright paper.
+    fn sides(self) -> [f64; 2] {
+        [0, 1].map(|i| self.size[i].unwrap_or(LETTER[i]))
+    }
+
     /// The connection for a file, which chooses the paper.
     pub(crate) fn connection(self, name: &str) -> String {
-        let [width, height] = [0, 1].map(|i| self.size[i].unwrap_or(LETTER[i]));
+        let [width, height] = self.sides();
         let separator = if name.contains('?') { '&' } else { '?' };
         format!("{name}{separator}size={width}x{height}")
     }
 
     /// Puts the unit square of a workstation that has been opened where the program wants it, which may be partly beside the
     /// paper. It stays a square: it is as large as fits into the lower left corner of the place.
-    pub(crate) fn place(self, gks: &mut Gks, workstation: i32) -> gks::Result<()> {
-        let Some([left, bottom, right, top]) = self.square else { return Ok(()) };
+    pub(crate) fn place(self, gks: &mut Gks, workstation: i32, kind: i32) -> gks::Result<()> {
+        let Some(mut square) = self.square else { return Ok(()) };
+        if is_landscape(kind) {
+            let ([x0, y0, x1, y1], [_, height]) = (square, self.sides());
+            square = [height - y1, x0, height - y0, x1];
+        }
+        let [left, bottom, right, top] = square;
         let side = (right - left).min(top - bottom);
         let [_, width, _, height] =
             gks.inquire_workstation_transformation(workstation)?.requested.viewport.limits();
@@ -90,27 +106,25 @@ mod tests {
 
     #[test]
     fn the_square_is_where_the_program_wants_it_and_cut_by_the_edge_of_the_paper() {
-        let placed = |square| {
+        let placed = |square, kind| {
             let drivers = gks_workstations::catalogue::Drivers::new(Environment::default());
             let mut gks = Gks::new(Box::new(drivers));
             gks.open_gks().unwrap();
-            gks.open_workstation(1, "/dev/null?size=612x792", 200).unwrap();
-            paper(Some(square), None).place(&mut gks, 1).unwrap();
+            let size = if is_landscape(kind) { "size=792x612" } else { "size=612x792" };
+            gks.open_workstation(1, &format!("/dev/null?{size}"), 200).unwrap();
+            paper(Some(square), None).place(&mut gks, 1, kind).unwrap();
             let placed = gks.inquire_workstation_transformation(1).unwrap().requested;
             let points = placed.viewport.limits().map(|at| (at / POINT).round());
             (placed.window.limits().map(|at| (at * 800.0).round()), points)
         };
-        assert_eq!(
-            placed([36.0, 126.0, 576.0, 666.0]),
-            ([0.0, 800.0, 0.0, 800.0], [36.0, 576.0, 126.0, 666.0])
-        );
-        assert_eq!(
-            placed([-90.0, -15.0, 710.0, 785.0]),
-            ([90.0, 702.0, 15.0, 800.0], [0.0, 612.0, 0.0, 785.0])
-        );
+        let usual = placed([36.0, 126.0, 576.0, 666.0], 20);
+        assert_eq!(usual, ([0.0, 800.0, 0.0, 800.0], [36.0, 576.0, 126.0, 666.0]));
+        let wide = [-90.0, -15.0, 710.0, 785.0];
+        assert_eq!(placed(wide, 20), ([90.0, 702.0, 15.0, 800.0], [0.0, 612.0, 0.0, 785.0]));
+        assert_eq!(placed(wide, 26), ([0.0, 785.0, 90.0, 702.0], [7.0, 792.0, 0.0, 612.0]));
         // No square, and one beside the paper: all of the paper is used, as if nothing had been said.
-        let whole = placed([0.0, 0.0, 0.0, 100.0]);
+        let whole = placed([0.0, 0.0, 0.0, 100.0], 20);
         assert_eq!(whole, ([0.0, 800.0, 0.0, 800.0], [0.0, 612.0, 0.0, 792.0]));
-        assert_eq!(placed([700.0, 0.0, 900.0, 200.0]), whole);
+        assert_eq!(placed([700.0, 0.0, 900.0, 200.0], 20), whole);
     }
 }
