@@ -42,6 +42,8 @@ pub struct Options {
     pub version: Option<u8>,
     /// How coordinates are coded in a binary CGM that is written.
     pub coordinates: Option<Coordinates>,
+    /// The most entries of the colour table of a CGM that is written.
+    pub colours: Option<u32>,
     /// How items that authors code differently are read in a metafile of GKS, whatever its header says.
     pub items: Option<Convention>,
     /// Whether the last picture of a window stays when the workstation is closed.
@@ -74,7 +76,7 @@ pub enum OptionError {
 }
 
 const NAMES: &str = "size, dpi, landscape, background, antialias, outlines, quality, small, reduce, script, coding, items, keep, port, open, \
-     version, vdc";
+     version, vdc, colours";
 
 /// The sizes of display surfaces that a kind of device accepts.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -152,6 +154,11 @@ impl Options {
                     "real" => Coordinates::Real,
                     _ => return Err(refused("vdc", value, "integer16, integer or real")),
                 });
+            }
+            "colours" => {
+                let colours = value.parse().ok().filter(|colours| (2..=65536).contains(colours));
+                self.colours =
+                    Some(colours.ok_or_else(|| refused("colours", value, "a whole number from 2 to 65536"))?);
             }
             "coding" => {
                 self.coding = Some(match value {

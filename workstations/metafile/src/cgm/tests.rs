@@ -261,6 +261,23 @@ fn what_is_skipped_is_told() {
 }
 
 #[test]
+fn no_more_colours_are_written_than_may_be() {
+    let bytes = Arc::new(Mutex::new(Vec::new()));
+    let sink = Box::new(Shared(Arc::clone(&bytes)));
+    let settings = Settings { colours: Some(100), ..Settings::default() };
+    let mut recorder = create(sink, Encoding::Text, None, settings);
+    recorder.control(&Record::ColourRepresentation(99, Colour::rgb(1.0, 0.0, 0.0))).expect("a colour");
+    recorder.control(&Record::ColourRepresentation(200, Colour::rgb(0.99, 0.0, 0.0))).expect("a colour");
+    draw(&mut *recorder);
+    recorder.close().expect("the sink takes all");
+    let text = String::from_utf8(bytes.lock().expect("nobody panicked").clone()).expect("clear text");
+    assert!(text.contains("MAXCOLRINDEX 99;"), "{text}");
+    let starts = |line: &str| line.strip_prefix("COLRTABLE ")?.split_whitespace().next()?.parse::<u32>().ok();
+    let starts: Vec<u32> = text.lines().filter_map(starts).collect();
+    assert!(!starts.is_empty() && starts.iter().all(|&start| start <= 99), "{starts:?}");
+}
+
+#[test]
 fn names_that_are_invented_do_not_fill_the_memory() {
     let mut skipped = gks_pipeline::record::Skipped::default();
     (0..1000).for_each(|i| skipped.add(&i.to_string()));
