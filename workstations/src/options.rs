@@ -276,7 +276,7 @@ mod tests {
     fn all_options_are_read() {
         let list = "size=1600x1200&dpi=300&landscape=1&background=#ff8000&antialias=0&outlines=1&quality=90&small=1&reduce=0.25&\
                     script=in/a.script&coding=formatted&items=xgks&keep=1&port=8080&open=1&\
-                    version=3&vdc=real";
+                    version=3&vdc=real&colours=128";
         let expected = Options {
             size: Some((1600.0, 1200.0)),
             dpi: Some(300.0),
@@ -292,6 +292,7 @@ mod tests {
             coding: Some(Coding::Formatted),
             version: Some(3),
             coordinates: Some(Coordinates::Real),
+            colours: Some(128),
             items: Some(Convention::Xgks),
             keep: Some(true),
             port: Some(8080),
@@ -330,7 +331,7 @@ mod tests {
             message("colour=red"),
             "there is no option \"colour\"; the options are size, dpi, landscape, background, antialias, \
              outlines, quality, small, reduce, script, coding, items, keep, \
-             port, open, version, vdc"
+             port, open, version, vdc, colours"
         );
         assert_eq!(message("dpi"), "option \"dpi\" has no value; write dpi=value");
         assert_eq!(message("dpi=0.5"), "option dpi=0.5: expected a number from 1 to 10000");
