@@ -297,6 +297,13 @@ fn formats_are_told_apart() {
 /// Control characters, spaces and tildes in substitutes, the terminator of their list among them or as it is; a width
 /// of 2048 units of the precision that holds where none is stated.
 #[test]
+fn an_opcode_that_is_cut_off_ends_the_metafile() {
+    let mut decoder = CharacterDecoder::new(&b"0 ??"[..]);
+    assert_eq!(decoder.next().expect("BEGIN METAFILE").map(|element| element.kind), Some(Kind::BeginMetafile));
+    assert_eq!(decoder.next().expect("the end"), None);
+}
+
+#[test]
 fn characters_may_have_substitutes() {
     for begin in
         [&b"0 ~@~[~\\~`~>~[\\~[Xa~`b~[\\"[..], b"0 ~`~>\x1b\\\x1bXa b\x1b\\", b"0 \x1b\\\x1bXa b\x1b\\"]

@@ -142,7 +142,8 @@ impl<R: Read> CharacterDecoder<R> {
                 let mut opcode = vec![character];
                 // The last character of column 3 leads to further ones.
                 while opcode.last() == Some(&0x3f) && opcode.len() < 8 {
-                    opcode.extend(self.character()?);
+                    let Some(next) = self.character()? else { break };
+                    opcode.push(next);
                 }
                 opcode.extend(self.character()?);
                 Ok(Some(opcode))
