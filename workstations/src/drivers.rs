@@ -85,7 +85,8 @@ pub(crate) fn open(
     match (kind.number, sink, encoding(kind.number)) {
         (_, Some(sink), Some(encoding)) => {
             let size = describe(kind, options)?.size();
-            let settings = Settings { version: options.version.unwrap_or(1), size, plain: false };
+            let version = options.version.unwrap_or(1);
+            let settings = Settings { version, size, plain: false, colours: options.colours };
             Ok(Backend::Pictures(cgm::create(sink, encoding, options.coordinates, settings)))
         }
         (own::GKSM, Some(sink), _) => {

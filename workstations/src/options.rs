@@ -42,6 +42,8 @@ pub struct Options {
     pub version: Option<u8>,
     /// How coordinates are coded in a binary CGM that is written.
     pub coordinates: Option<Coordinates>,
+    /// The most entries of the colour table of a CGM that is written.
+    pub colours: Option<u32>,
     /// How items that authors code differently are read in a metafile of GKS, whatever its header says.
     pub items: Option<Convention>,
     /// Whether the last picture of a window stays when the workstation is closed.
@@ -74,7 +76,7 @@ pub enum OptionError {
 }
 
 const NAMES: &str = "size, dpi, landscape, background, antialias, outlines, quality, small, reduce, script, coding, items, keep, port, open, \
-     version, vdc";
+     version, vdc, colours";
 
 /// The sizes of display surfaces that a kind of device accepts.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -152,6 +154,11 @@ impl Options {
                     "real" => Coordinates::Real,
                     _ => return Err(refused("vdc", value, "integer16, integer or real")),
                 });
+            }
+            "colours" => {
+                let colours = value.parse().ok().filter(|colours| (2..=65536).contains(colours));
+                self.colours =
+                    Some(colours.ok_or_else(|| refused("colours", value, "a whole number from 2 to 65536"))?);
             }
             "coding" => {
                 self.coding = Some(match value {
@@ -269,7 +276,7 @@ mod tests {
     fn all_options_are_read() {
         let list = "size=1600x1200&dpi=300&landscape=1&background=#ff8000&antialias=0&outlines=1&quality=90&small=1&reduce=0.25&\
                     script=in/a.script&coding=formatted&items=xgks&keep=1&port=8080&open=1&\
-                    version=3&vdc=real";
+                    version=3&vdc=real&colours=128";
         let expected = Options {
             size: Some((1600.0, 1200.0)),
             dpi: Some(300.0),
@@ -285,6 +292,7 @@ mod tests {
             coding: Some(Coding::Formatted),
             version: Some(3),
             coordinates: Some(Coordinates::Real),
+            colours: Some(128),
             items: Some(Convention::Xgks),
             keep: Some(true),
             port: Some(8080),
@@ -323,7 +331,7 @@ mod tests {
             message("colour=red"),
             "there is no option \"colour\"; the options are size, dpi, landscape, background, antialias, \
              outlines, quality, small, reduce, script, coding, items, keep, \
-             port, open, version, vdc"
+             port, open, version, vdc, colours"
         );
         assert_eq!(message("dpi"), "option \"dpi\" has no value; write dpi=value");
         assert_eq!(message("dpi=0.5"), "option dpi=0.5: expected a number from 1 to 10000");

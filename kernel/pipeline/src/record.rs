@@ -17,6 +17,7 @@ use crate::look::{
 };
 use crate::tables::Pattern;
 use gks_geometry::{Dc, Map, Ndc, Point, Rect, Vector};
+use std::collections::BTreeMap;
 use std::io;
 
 /// A recorder: the output side of a metafile.
@@ -42,10 +43,60 @@ pub trait PictureRecorder: Recorder {
 
 /// A source: the input side of a metafile.
 pub trait Source: Send {
-    /// The next record, or none after the last one. What is unknown is skipped inside.
+    /// The next record, or none after the last one. What is unknown is skipped inside; [`Source::skipped`] tells.
     ///
     /// Memory is bounded by the largest record; no count in the file is believed before the data is there.
     fn next(&mut self) -> Result<Option<Record<'_>>, SourceError>;
+
+    /// What has been skipped so far.
+    fn skipped(&self) -> Skipped {
+        Skipped::default()
+    }
+}
+
+/// What a source has skipped: what it does not know, what makes no sense, and what says nothing that can be drawn here.
+///
+/// Names are counted; a file that invents them may have as many as [`Skipped::NAMES`], the others are one.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Skipped {
+    names: BTreeMap<String, u64>,
+}
+
+impl Skipped {
+    /// The most names that are kept apart.
+    pub const NAMES: usize = 64;
+
+    /// Counts one that is skipped.
+    pub fn add(&mut self, name: &str) {
+        if let Some(count) = self.names.get_mut(name) {
+            *count += 1;
+        } else {
+            let name = if self.names.len() < Self::NAMES { name } else { "others" };
+            *self.names.entry(name.to_owned()).or_default() += 1;
+        }
+    }
+
+    /// Counts what another one has counted.
+    pub fn extend(&mut self, other: &Skipped) {
+        for (name, count) in &other.names {
+            *self.names.entry(name.clone()).or_default() += count;
+        }
+    }
+
+    /// Whether nothing has been skipped.
+    pub fn is_empty(&self) -> bool {
+        self.names.is_empty()
+    }
+
+    /// How many have been skipped.
+    pub fn count(&self) -> u64 {
+        self.names.values().sum()
+    }
+
+    /// The names in the order of the alphabet, and how many there were of each.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, u64)> {
+        self.names.iter().map(|(name, count)| (name.as_str(), *count))
+    }
 }
 
 /// Why a source could not give a record.

@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::cost::{Cost, Part};
 use crate::data;
-use crate::gate::{Gate, OWN_TENTH, ROWS, gates};
+use crate::gate::{Gate, Measure, OWN_TENTH, ROWS, gates};
 use crate::peer::{OURS, Peer};
 use crate::profile;
 use gks_cli::bench::clock::median;
@@ -57,6 +57,8 @@ pub(crate) struct Cell {
     samples: Vec<f64>,
     /// The first run.
     pub(crate) first: Option<Cost>,
+    /// The instructions of a process, where they are compared and can be counted.
+    instructions: Option<u64>,
     repetitions: u32,
 }
 
@@ -84,9 +86,10 @@ impl Row {
     /// How many times as much as the other library this one needs.
     pub(crate) fn ratio(&self, gate: &Gate) -> Option<f64> {
         let (ours, theirs) = (self.cell(OURS)?, self.cell(gate.peer)?);
-        match gate.bytes {
-            true => Some(ours.first?.bytes as f64 / theirs.first?.bytes as f64),
-            false => Some(ours.time()? / theirs.time()?),
+        match gate.measure {
+            Measure::Time => Some(ours.time()? / theirs.time()?),
+            Measure::Bytes => Some(ours.first?.bytes as f64 / theirs.first?.bytes as f64),
+            Measure::Instructions => Some(ours.instructions? as f64 / theirs.instructions? as f64),
         }
         .filter(|ratio| ratio.is_finite())
     }
@@ -147,7 +150,10 @@ impl Comparison {
             let first = peer.run(row.device, row.workload, 1, folder)?;
             let time = first.map_or(SAMPLE, |cost| cost.of(part));
             let repetitions = (SAMPLE / time.max(0.1)).ceil().clamp(1.0, 1000.0) as u32;
-            row.cells.push(Cell { peer: peer.name, samples: Vec::new(), first, repetitions });
+            let counted = gates(row.workload, row.device).iter().any(|g| g.measure == Measure::Instructions);
+            let words = peer.command_line(row.device, row.workload, folder).filter(|_| counted);
+            let instructions = words.and_then(|words| profile::instructions(&words, folder));
+            row.cells.push(Cell { peer: peer.name, samples: Vec::new(), first, instructions, repetitions });
         }
         let Some(cell) = row.cells.iter_mut().find(|cell| cell.peer == peer.name) else { return Ok(()) };
         let Some(first) = cell.first else { return Ok(()) };

@@ -10,14 +10,26 @@ const FUNCTIONS: usize = 5;
 /// not installed.
 pub(crate) fn hottest(words: &[String], folder: &Path) -> Vec<String> {
     let counts = folder.join("callgrind");
-    let mut command = Command::new("valgrind");
-    command.arg("--tool=callgrind").arg(format!("--callgrind-out-file={}", counts.display()));
-    let ran = command.args(words).current_dir(folder).output();
-    if !ran.is_ok_and(|output| output.status.success()) {
+    if count(words, &counts, folder).is_none() {
         return Vec::new();
     }
     let annotated = Command::new("callgrind_annotate").arg(&counts).output();
     annotated.map_or(Vec::new(), |output| functions(&String::from_utf8_lossy(&output.stdout)))
+}
+
+/// How many instructions a program executes; none where valgrind is not installed.
+pub(crate) fn instructions(words: &[String], folder: &Path) -> Option<u64> {
+    let said = count(words, &folder.join("callgrind"), folder)?;
+    let (_, number) = said.lines().find_map(|line| line.split_once("Collected :"))?;
+    number.trim().parse().ok()
+}
+
+/// Counts the instructions of a program into a file, and gives what valgrind says.
+fn count(words: &[String], counts: &Path, folder: &Path) -> Option<String> {
+    let mut command = Command::new("valgrind");
+    command.arg("--tool=callgrind").arg(format!("--callgrind-out-file={}", counts.display()));
+    let output = command.args(words).current_dir(folder).output().ok()?;
+    output.status.success().then(|| String::from_utf8_lossy(&output.stderr).into_owned())
 }
 
 /// The lines of functions: `1,234,567 (12.34%)  file:function [library]`.

@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::comparison::{Cell, Row};
-use crate::gate::{Gate, ROWS, gates};
+use crate::gate::{Gate, ROWS, gates, Measure};
 use crate::machine;
 use crate::peer::OURS;
 use std::fmt::Write;
@@ -83,7 +83,11 @@ fn milliseconds(time: f64) -> String {
 fn verdict(row: &Row, gate: &Gate) -> Option<String> {
     let ratio = row.ratio(gate)?;
     let fraction = |x: f64| if x < 0.7 { format!("1/{:.1}", 1.0 / x) } else { format!("{x:.2}") };
-    let unit = if gate.bytes { " bytes" } else { "" };
+    let unit = match gate.measure {
+        Measure::Time => "",
+        Measure::Bytes => " bytes",
+        Measure::Instructions => " instructions",
+    };
     let mark = if ratio <= gate.factor { "" } else { " **missed**" };
     Some(format!("{} of {}{unit} ({}){mark}", fraction(ratio), gate.peer, fraction(gate.factor)))
 }

@@ -27,6 +27,8 @@ struct Info {
     segments: u64,
     /// The types of items of applications.
     user_items: BTreeSet<i32>,
+    /// What is skipped: unknown, without sense, or without a picture.
+    skipped: BTreeMap<String, u64>,
     /// Whether all could be read.
     complete: bool,
     #[serde(skip)]
@@ -102,6 +104,7 @@ pub fn run(file: &str, json: bool) -> Result<ExitCode, Failure> {
     }
     progress.end();
     info.page();
+    info.skipped = opened.source.skipped().iter().map(|(name, count)| (name.to_owned(), count)).collect();
     info.complete = faults.is_empty();
     if json {
         println!("{}", serde_json::to_string_pretty(&info)?);
@@ -127,5 +130,8 @@ fn print(info: &Info) {
     }
     for (name, count) in &info.items {
         println!("{count:>10}  {name}");
+    }
+    for (name, count) in &info.skipped {
+        println!("{count:>10}  skipped: {name}");
     }
 }

@@ -3,7 +3,7 @@
 use super::Failure;
 use gks::Gks;
 use gks_metafile::{ReadOptions, open_source};
-use gks_pipeline::record::{Record, Source, SourceError};
+use gks_pipeline::record::{Record, Skipped, Source, SourceError};
 use gks_workstations::catalogue::Drivers;
 use std::fs::File;
 use std::io::{self, IsTerminal, Read};
@@ -76,6 +76,7 @@ pub fn run(play: &Play) -> Result<ExitCode, Failure> {
     gks.close_workstation(1)?;
     gks.close_gks()?;
     ended.map_err(|error| said(&error))?;
+    warn(&play.file, &source.skipped());
     let pages = if drawn { page } else { page - 1 };
     if pages < *play.pages.0.start() && *play.pages.0.start() > 1 {
         return Err(said(&format!("there are only {pages} pages")).into());
@@ -187,6 +188,15 @@ impl Faults {
             eprintln!("gks: {file}: {more} more faults");
         }
     }
+}
+
+/// Tells what has been skipped; none of it is a fault.
+pub(super) fn warn(file: &str, skipped: &Skipped) {
+    if skipped.is_empty() {
+        return;
+    }
+    let all: Vec<String> = skipped.iter().map(|(name, count)| format!("{count} x {name}")).collect();
+    eprintln!("gks: {file}: skipped: {}", all.join(", "));
 }
 
 /// The bytes of a file, or of the standard input for `-`, and how far they have been read.

@@ -94,7 +94,8 @@ impl SampleMask {
         self.window = window;
         self.stride = width;
         if self.bits.len() < width * height {
-            self.bits.resize(width * height, 0);
+            // All bits are clear; fresh memory costs nothing where it is not touched.
+            self.bits = vec![0; width * height];
         }
         self.spans.clear();
         self.spans.resize(height, (u32::MAX, 0));

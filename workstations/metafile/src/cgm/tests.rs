@@ -233,6 +233,57 @@ fn a_count_without_data_is_not_believed() {
     assert!(std::iter::from_fn(|| source.next().ok().flatten().map(|_| ())).count() > 50);
 }
 
+/// What a source has skipped, and how many records it gave.
+fn skipped(bytes: &'static [u8], encoding: Encoding) -> (Vec<(String, u64)>, usize) {
+    let mut source = open(bytes, encoding);
+    let mut records = 0;
+    while source.next().expect("nothing is malformed").is_some() {
+        records += 1;
+    }
+    (source.skipped().iter().map(|(name, count)| (name.to_owned(), count)).collect(), records)
+}
+
+#[test]
+fn what_is_skipped_is_told() {
+    let text =
+        b"BEGMF 'a'; BEGPIC 'b'; BEGPICBODY; BOGUS 1; bogus 2; LINE (0,0) (1,1); COPYSEG 7; MITRELIMIT 3;";
+    let (names, records) = skipped(text, Encoding::Text);
+    let wanted =
+        [("COPY SEGMENT with senseless parameters", 1), ("MITRE LIMIT", 1), ("unknown element bogus", 2)];
+    assert_eq!(names, wanted.map(|(name, count)| (name.to_owned(), count)));
+    assert!(records > 0, "the line is drawn");
+    // Class 4, identifier 99, without parameters.
+    let (names, _) = skipped(b"\x00\x21\x00\x00\x4c\x60\x00\x40", Encoding::Binary);
+    assert_eq!(names, [("unknown element 4/99".to_owned(), 1)]);
+    // POLYLINE with points in chain code.
+    let (names, _) = skipped(b"0 \x1bXa\x1b\\0\"\x1bXb\x1b\\0#1\"A @@\x50AA0!", Encoding::Character);
+    assert!(names.iter().any(|(name, _)| name == "points in chain code"), "{names:?}");
+}
+
+#[test]
+fn no_more_colours_are_written_than_may_be() {
+    let bytes = Arc::new(Mutex::new(Vec::new()));
+    let sink = Box::new(Shared(Arc::clone(&bytes)));
+    let settings = Settings { colours: Some(100), ..Settings::default() };
+    let mut recorder = create(sink, Encoding::Text, None, settings);
+    recorder.control(&Record::ColourRepresentation(99, Colour::rgb(1.0, 0.0, 0.0))).expect("a colour");
+    recorder.control(&Record::ColourRepresentation(200, Colour::rgb(0.99, 0.0, 0.0))).expect("a colour");
+    draw(&mut *recorder);
+    recorder.close().expect("the sink takes all");
+    let text = String::from_utf8(bytes.lock().expect("nobody panicked").clone()).expect("clear text");
+    assert!(text.contains("MAXCOLRINDEX 99;"), "{text}");
+    let starts = |line: &str| line.strip_prefix("COLRTABLE ")?.split_whitespace().next()?.parse::<u32>().ok();
+    let starts: Vec<u32> = text.lines().filter_map(starts).collect();
+    assert!(!starts.is_empty() && starts.iter().all(|&start| start <= 99), "{starts:?}");
+}
+
+#[test]
+fn names_that_are_invented_do_not_fill_the_memory() {
+    let mut skipped = gks_pipeline::record::Skipped::default();
+    (0..1000).for_each(|i| skipped.add(&i.to_string()));
+    assert_eq!((skipped.count(), skipped.iter().count()), (1000, 65));
+}
+
 #[test]
 fn formats_are_told_apart() {
     assert_eq!(Encoding::of(b"% note % beg_mf 'x';"), Some(Encoding::Text));
@@ -245,6 +296,13 @@ fn formats_are_told_apart() {
 
 /// Control characters, spaces and tildes in substitutes, the terminator of their list among them or as it is; a width
 /// of 2048 units of the precision that holds where none is stated.
+#[test]
+fn an_opcode_that_is_cut_off_ends_the_metafile() {
+    let mut decoder = CharacterDecoder::new(&b"0 ??"[..]);
+    assert_eq!(decoder.next().expect("BEGIN METAFILE").map(|element| element.kind), Some(Kind::BeginMetafile));
+    assert_eq!(decoder.next().expect("the end"), None);
+}
+
 #[test]
 fn characters_may_have_substitutes() {
     for begin in

@@ -6,7 +6,7 @@ use super::header::{self, Header};
 use crate::format::ReadOptions;
 use crate::input::Input;
 use gks_pipeline::record::item::{Convention, Decoder, Unreadable, kind};
-use gks_pipeline::record::{Record, Source, SourceError};
+use gks_pipeline::record::{Record, Skipped, Source, SourceError};
 use std::cmp::Reverse;
 
 /// The most bytes that the data of an item may have.
@@ -28,6 +28,7 @@ pub struct Reader {
     /// The type of an item that was read and not yet given.
     pending: Option<i32>,
     state: State,
+    skipped: Skipped,
 }
 
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -54,8 +55,8 @@ impl Reader {
         let first = input.peek(1 << 12)?;
         let layout = Layout::of(&header, first);
         let big_endian = !header.formatted && is_big_endian(&header, first);
-        let (data, pending, state) = (Vec::new(), None, State::Item);
-        Ok(Reader { input, header, layout, big_endian, decoder, data, pending, state })
+        let (data, pending, state, skipped) = (Vec::new(), None, State::Item, Skipped::default());
+        Ok(Reader { input, header, layout, big_endian, decoder, data, pending, state, skipped })
     }
 
     fn lost<T>(&mut self, offset: u64, what: &str) -> Result<T, SourceError> {
@@ -206,10 +207,12 @@ impl Reader {
         loop {
             match self.item()? {
                 // What other implementations escape to is theirs.
-                Some(kind::ESCAPE) if self.header.convention() != Convention::Own => {}
+                Some(kind::ESCAPE) if self.header.convention() != Convention::Own => {
+                    self.skipped.add(kind::name(kind::ESCAPE));
+                }
                 Some(kind) if kind::is_standard(kind) || kind > kind::LAST => return Ok(Some(kind)),
                 None => return Ok(None),
-                Some(_) => {}
+                Some(kind) => self.skipped.add(&format!("item of the unknown type {kind}")),
             }
         }
     }
@@ -270,6 +273,10 @@ impl Source for Reader {
         self.decoder
             .decode(kind, &mut fields)
             .map_err(|error| SourceError::Malformed { offset, what: format!("item type {kind}: {error}") })
+    }
+
+    fn skipped(&self) -> Skipped {
+        self.skipped.clone()
     }
 }
 

@@ -67,40 +67,71 @@ pub(super) fn write(samples: &Samples<'_>, layout: Layout, small: bool) -> Resul
     Ok(bytes)
 }
 
-/// The slots of the hash table of colours, by linear probing.
-const SLOTS: usize = 1024;
-
 /// The picture with a palette, in order of appearance, or none where it has more than 256 colours. The bits of
 /// `set` count as set in every pixel.
 fn palette(pixels: &[u8], set: u32) -> Option<Palette<'static>> {
-    let mut table: Vec<[u8; 4]> = Vec::new();
-    // A colour and its index plus 1; 0 where the slot is empty.
-    let mut slots = [(0_u32, 0_u16); SLOTS];
-    let mut indices = vec![0; pixels.len() / 4];
-    let mut last = None;
-    for (pixel, index) in pixels.as_chunks::<4>().0.iter().zip(&mut indices) {
-        let colour = u32::from_le_bytes(*pixel) | set;
-        if let Some((known, at)) = last
-            && known == colour
-        {
-            *index = at;
+    let pixels = pixels.as_chunks::<4>().0;
+    let colour = |pixel: &[u8; 4]| u32::from_le_bytes(*pixel) | set;
+    let mut known = Colours::new();
+    let mut indices = vec![0; pixels.len()];
+    let mut last = (0, 0);
+    if let Some(first) = pixels.first() {
+        last = (colour(first), known.index(colour(first))?);
+    }
+    let mut next = |pixel: &[u8; 4], last: &mut (u32, u8)| {
+        if colour(pixel) != last.0 {
+            *last = (colour(pixel), known.index(colour(pixel))?);
+        }
+        Some(last.1)
+    };
+    // Most pixels are like the one before, eight of them at once.
+    let (groups, rest) = pixels.as_chunks::<8>();
+    let (group_indices, rest_indices) = indices.as_chunks_mut::<8>();
+    for (group, indices) in groups.iter().zip(group_indices) {
+        if group.iter().fold(0, |all, pixel| all | (colour(pixel) ^ last.0)) == 0 {
+            *indices = [last.1; 8];
             continue;
         }
+        for (pixel, index) in group.iter().zip(indices) {
+            *index = next(pixel, &mut last)?;
+        }
+    }
+    for (pixel, index) in rest.iter().zip(rest_indices) {
+        *index = next(pixel, &mut last)?;
+    }
+    Some(Palette { indices: indices.into(), table: known.table.into() })
+}
+
+/// The slots of the hash table of colours, by linear probing.
+const SLOTS: usize = 1024;
+
+/// Colours in the order of their first appearance.
+struct Colours {
+    table: Vec<[u8; 4]>,
+    /// A colour and its index plus 1; 0 where the slot is empty.
+    slots: [(u32, u16); SLOTS],
+}
+
+impl Colours {
+    fn new() -> Colours {
+        Colours { table: Vec::new(), slots: [(0, 0); SLOTS] }
+    }
+
+    /// The index of a colour, which is a new one unless it is known; none where 256 are known.
+    fn index(&mut self, colour: u32) -> Option<u8> {
         let mut slot = colour.wrapping_mul(0x9e37_79b1) as usize >> 22;
-        while slots[slot].1 != 0 && slots[slot].0 != colour {
+        while self.slots[slot].1 != 0 && self.slots[slot].0 != colour {
             slot = (slot + 1) % SLOTS;
         }
-        if slots[slot].1 == 0 {
-            if table.len() == 256 {
+        if self.slots[slot].1 == 0 {
+            if self.table.len() == 256 {
                 return None;
             }
-            table.push(colour.to_le_bytes());
-            slots[slot] = (colour, table.len() as u16);
+            self.table.push(colour.to_le_bytes());
+            self.slots[slot] = (colour, self.table.len() as u16);
         }
-        *index = (slots[slot].1 - 1) as u8;
-        last = Some((colour, *index));
+        Some((self.slots[slot].1 - 1) as u8)
     }
-    Some(Palette { indices: indices.into(), table: table.into() })
 }
 
 #[cfg(test)]

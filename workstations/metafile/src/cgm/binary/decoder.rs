@@ -1,10 +1,10 @@
 //! Elements out of a stream of octets (ISO/IEC 8632-3, 5.4).
 
 use super::parameters::Coding;
-use crate::cgm::decoder::Decoder;
+use crate::cgm::decoder::{Decoder, senseless, unknown};
 use crate::cgm::element::{Element, by_code};
 use crate::generated::elements::Kind;
-use gks_pipeline::record::SourceError;
+use gks_pipeline::record::{Skipped, SourceError};
 use std::io::{ErrorKind, Read};
 
 /// Decodes the binary encoding.
@@ -19,7 +19,7 @@ pub struct BinaryDecoder<R> {
     octets: Vec<u8>,
     /// The octets of the metafile defaults replacement whose elements are being given, and how many are done.
     replacement: Option<(Vec<u8>, usize)>,
-    skipped: u64,
+    skipped: Skipped,
     ended: bool,
 }
 
@@ -33,7 +33,7 @@ impl<R: Read> BinaryDecoder<R> {
             defaults: None,
             octets: Vec::new(),
             replacement: None,
-            skipped: 0,
+            skipped: Skipped::default(),
             ended: false,
         }
     }
@@ -122,7 +122,7 @@ impl<R: Read> BinaryDecoder<R> {
                     return Ok(Some(Element::new(Kind::BeginMetafileDefaultsReplacement, [])));
                 }
                 Some((_, Kind::BeginMetafileDefaultsReplacement | Kind::EndMetafileDefaultsReplacement))
-                | None => self.skipped += 1,
+                | None => self.skipped.add(&unknown(format_args!("{class}/{id}"))),
                 Some((row, kind)) => {
                     if kind == Kind::BeginMetafile {
                         (self.coding, self.defaults) = (Coding::default(), None);
@@ -146,7 +146,7 @@ impl<R: Read + Send> Decoder for BinaryDecoder<R> {
         if result.is_err() {
             if self.replacement.take().is_some() {
                 // The rest of the metafile is not touched by what is wrong in there.
-                self.skipped += 1;
+                self.skipped.add(&senseless(Kind::BeginMetafileDefaultsReplacement.row()));
                 return Ok(Some(Element::new(Kind::EndMetafileDefaultsReplacement, [])));
             }
             self.ended = true;
@@ -154,7 +154,7 @@ impl<R: Read + Send> Decoder for BinaryDecoder<R> {
         result
     }
 
-    fn skipped(&self) -> u64 {
-        self.skipped
+    fn skipped(&self) -> &Skipped {
+        &self.skipped
     }
 }

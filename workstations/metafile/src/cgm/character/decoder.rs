@@ -4,11 +4,11 @@ use super::RealCoding;
 use super::operand::{Bits, OPERAND, Operands};
 use crate::cgm::binary::parameters::MOST_CELLS;
 use crate::cgm::coding::{Modes, SizeMode};
-use crate::cgm::decoder::Decoder;
+use crate::cgm::decoder::{Decoder, senseless, unknown};
 use crate::cgm::element::{Cells, Element, Ink, Inks, Value};
 use crate::cgm::parameter::Parameter;
 use crate::generated::elements::{ELEMENTS, Kind};
-use gks_pipeline::record::SourceError;
+use gks_pipeline::record::{Skipped, SourceError};
 use glam::DVec2;
 use std::io::{ErrorKind, Read};
 
@@ -42,7 +42,7 @@ pub struct CharacterDecoder<R> {
     opcode: Option<Vec<u8>>,
     /// The control characters that are written as a tilde and another character.
     substitutes: bool,
-    skipped: u64,
+    skipped: Skipped,
     ended: bool,
 }
 
@@ -57,7 +57,7 @@ impl<R: Read> CharacterDecoder<R> {
             defaults: None,
             opcode: None,
             substitutes: false,
-            skipped: 0,
+            skipped: Skipped::default(),
             ended: false,
         }
     }
@@ -142,7 +142,8 @@ impl<R: Read> CharacterDecoder<R> {
                 let mut opcode = vec![character];
                 // The last character of column 3 leads to further ones.
                 while opcode.last() == Some(&0x3f) && opcode.len() < 8 {
-                    opcode.extend(self.character()?);
+                    let Some(next) = self.character()? else { break };
+                    opcode.push(next);
                 }
                 opcode.extend(self.character()?);
                 Ok(Some(opcode))
@@ -207,7 +208,7 @@ impl<R: Read> CharacterDecoder<R> {
             }
             let operands = self.operands()?;
             let Some(row) = row else {
-                self.skipped += 1;
+                self.skipped.add(&unknown(opcode.escape_ascii()));
                 continue;
             };
             match row.kind {
@@ -222,10 +223,11 @@ impl<R: Read> CharacterDecoder<R> {
             // A terminator of the substitution string leaves its second character.
             while row.kind == Kind::BeginMetafile && operands.character().is_some() {}
             let mut element = Element::new(row.kind, []);
-            if self.coding.list(row.parameters, &mut operands, &mut element.values).is_none()
-                && !operands.is_empty()
-            {
-                self.skipped += 1;
+            let complete = self.coding.list(row.parameters, &mut operands, &mut element.values).is_some();
+            if operands.is_chain() {
+                self.skipped.add("points in chain code");
+            } else if !complete && !operands.is_empty() {
+                self.skipped.add(&senseless(row));
             }
             self.coding.observe(&element);
             return Ok(Some(element));
@@ -448,7 +450,7 @@ impl<R: Read + Send> Decoder for CharacterDecoder<R> {
         result
     }
 
-    fn skipped(&self) -> u64 {
-        self.skipped
+    fn skipped(&self) -> &Skipped {
+        &self.skipped
     }
 }

@@ -34,7 +34,7 @@ impl<D: Decoder> Interpreter<D> {
         match curve {
             Some(Curve::Open(outline)) => self.stroke(outline),
             Some(Curve::Closed(ellipse)) => self.fill_ellipse(&ellipse),
-            None => self.skipped += 1,
+            None => self.senseless(e),
         }
         true
     }

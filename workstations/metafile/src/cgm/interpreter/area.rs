@@ -31,7 +31,7 @@ impl<D: Decoder> Interpreter<D> {
                 {
                     self.cells(p, r - p, q - r, cells);
                 } else {
-                    self.skipped += 1;
+                    self.senseless(e);
                 }
             }
             _ => return false,

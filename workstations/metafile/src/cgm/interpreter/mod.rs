@@ -18,7 +18,7 @@ mod spline;
 mod text;
 mod tile;
 
-use super::decoder::Decoder;
+use super::decoder::{Decoder, senseless};
 use super::element::{Element, Ink};
 use super::fonts;
 use crate::generated::elements::Kind;
@@ -28,7 +28,7 @@ use gks_geometry::{Ndc, PathBuf, Rect, Wc};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::generated::numbers::escape;
 use gks_pipeline::look::Look;
-use gks_pipeline::record::{Record, Source, SourceError};
+use gks_pipeline::record::{Record, Skipped, Source, SourceError};
 use mapping::Mapping;
 use palette::Palette;
 use queue::{Drawing, Entry, Queue};
@@ -67,7 +67,7 @@ pub struct Interpreter<D> {
     figure: Option<Figure>,
     tiles: Option<TileArray>,
     segments: Segments,
-    skipped: u64,
+    skipped: Skipped,
 }
 
 impl<D: Decoder> Interpreter<D> {
@@ -93,13 +93,13 @@ impl<D: Decoder> Interpreter<D> {
             figure: None,
             tiles: None,
             segments: Segments::default(),
-            skipped: 0,
+            skipped: Skipped::default(),
         }
     }
 
-    /// How many elements so far were unknown, made no sense, or say something that is not drawn.
-    pub fn skipped(&self) -> u64 {
-        self.decoder.skipped() + self.skipped
+    /// Skips an element whose parameters make no sense.
+    fn senseless(&mut self, element: &Element) {
+        self.skipped.add(&senseless(element.kind.row()));
     }
 
     /// Acts on an element.
@@ -126,7 +126,7 @@ impl<D: Decoder> Interpreter<D> {
         }
         let known = self.delimiter(element) || self.descriptor(element) || self.primitive(element);
         if !known {
-            self.skipped += 1;
+            self.skipped.add(element.kind.row().name);
         }
     }
 
@@ -325,6 +325,12 @@ impl<D: Decoder> Source for Interpreter<D> {
             }
         }
         Ok(self.given.as_ref().and_then(Entry::record))
+    }
+
+    fn skipped(&self) -> Skipped {
+        let mut skipped = self.decoder.skipped().clone();
+        skipped.extend(&self.skipped);
+        skipped
     }
 }
 

@@ -68,7 +68,7 @@ impl<D: Decoder> Interpreter<D> {
     pub(super) fn copy_segment(&mut self, e: &Element) {
         let mapping = self.mapping();
         let Some(elements) = e.integer(0).and_then(|name| self.segments.kept.get(&name)).cloned() else {
-            self.skipped += 1;
+            self.senseless(e);
             return;
         };
         if self.segments.copies.len() >= DEEPEST {

@@ -16,15 +16,15 @@ impl<D: Decoder> Interpreter<D> {
             Kind::Polybezier => self.polybezier(e),
             Kind::NonUniformBSpline | Kind::NonUniformRationalBSpline => match b_spline(e) {
                 Some(points) => self.stroke(Outline::path(points)),
-                None => self.skipped += 1,
+                None => self.senseless(e),
             },
             Kind::ParabolicArc => match parabola(e) {
                 Some(points) => self.stroke(Outline::Bezier(points)),
-                None => self.skipped += 1,
+                None => self.senseless(e),
             },
             Kind::HyperbolicArc => match hyperbola(e) {
                 Some(points) => self.stroke(Outline::path(points)),
-                None => self.skipped += 1,
+                None => self.senseless(e),
             },
             _ => return false,
         }

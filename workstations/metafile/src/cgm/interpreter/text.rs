@@ -48,7 +48,7 @@ impl<D: Decoder> Interpreter<D> {
                 self.end_text();
             }
         } else {
-            self.skipped += 1;
+            self.senseless(e);
         }
         true
     }

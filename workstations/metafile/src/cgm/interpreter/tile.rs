@@ -63,7 +63,7 @@ impl<D: Decoder> Interpreter<D> {
         array.next += 1;
         match decoded(e, bitonal, array.cells, self.context.modes.direct) {
             Some(cells) => self.place(&array, at, &cells),
-            None => self.skipped += 1,
+            None => self.senseless(e),
         }
         self.tiles = Some(array);
         true

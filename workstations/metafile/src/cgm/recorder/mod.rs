@@ -40,6 +40,8 @@ pub struct Settings {
     pub size: (f64, f64),
     /// Whether to write lines, markers, text, polygons and cells only, as NCAR's readers know them.
     pub plain: bool,
+    /// The most entries of the colour table that are written; what is drawn in others gets the nearest colour.
+    pub colours: Option<u32>,
 }
 
 /// The octets of a picture that are kept, so that it may be drawn again in its place.
@@ -47,7 +49,7 @@ const HELD: usize = 1 << 20;
 
 impl Default for Settings {
     fn default() -> Self {
-        Settings { version: 1, size: (1.0, 1.0), plain: false }
+        Settings { version: 1, size: (1.0, 1.0), plain: false, colours: None }
     }
 }
 
@@ -101,7 +103,9 @@ impl CgmRecorder {
         let (width, height) = settings.size;
         let whole =
             WorkstationTransformation { window: Rect::UNIT, viewport: Rect::new(0.0, width, 0.0, height) };
-        let (grid, most_colour) = (encoder.grid(), encoder.most_colour());
+        let grid = encoder.grid();
+        let wanted = settings.colours.map_or(u32::MAX, |colours| colours.max(2) - 1);
+        let most_colour = encoder.most_colour().min(wanted);
         let fonts = if settings.plain { FontList::of_ncar() } else { FontList::new() };
         CgmRecorder {
             sink,

@@ -2,11 +2,11 @@
 
 use super::token::{Characters, Token, integer, real};
 use crate::cgm::coding::Modes;
-use crate::cgm::decoder::Decoder;
+use crate::cgm::decoder::{Decoder, senseless, unknown};
 use crate::cgm::element::{Cells, Element, Ink, Inks, Value};
 use crate::cgm::parameter::Parameter;
 use crate::generated::elements::{ELEMENTS, Kind, Row};
-use gks_pipeline::record::SourceError;
+use gks_pipeline::record::{Skipped, SourceError};
 use glam::DVec2;
 use std::collections::HashMap;
 use std::io::Read;
@@ -18,7 +18,7 @@ pub struct TextDecoder<R> {
     modes: Modes,
     /// The modes with which pictures begin.
     defaults: Option<Modes>,
-    skipped: u64,
+    skipped: Skipped,
     ended: bool,
 }
 
@@ -55,7 +55,7 @@ impl<R: Read> TextDecoder<R> {
             characters: Characters::new(input),
             modes: Modes::new(255.0),
             defaults: None,
-            skipped: 0,
+            skipped: Skipped::default(),
             ended: false,
         }
     }
@@ -67,7 +67,7 @@ impl<R: Read> TextDecoder<R> {
             let Some(Token::Word(keyword)) = tokens.next() else { continue };
             let incremental = keyword.starts_with("incr");
             let Some(row) = KEYWORDS.get(keyword.as_str()) else {
-                self.skipped += 1;
+                self.skipped.add(&unknown(keyword));
                 continue;
             };
             match row.kind {
@@ -80,7 +80,7 @@ impl<R: Read> TextDecoder<R> {
             let mut element = Element::new(row.kind, []);
             let done = self.list(row, row.parameters, &mut tokens, &mut element.values);
             if done.is_none() && !tokens.rest.is_empty() {
-                self.skipped += 1;
+                self.skipped.add(&senseless(row));
             }
             if incremental {
                 sum_up(&mut element);
@@ -278,8 +278,8 @@ impl<R: Read + Send> Decoder for TextDecoder<R> {
         result
     }
 
-    fn skipped(&self) -> u64 {
-        self.skipped
+    fn skipped(&self) -> &Skipped {
+        &self.skipped
     }
 }
 
