@@ -110,7 +110,7 @@ fn picture(name: &str, binding: Binding) -> Vec<u8> {
     assert!(output.status.success(), "{name}: {output:?}");
     if name == "xgks" {
         let said = String::from_utf8_lossy(&output.stdout);
-        assert!(said.starts_with("SET LINETYPE   63 "), "{said}");
+        assert!(said.starts_with("gsetlinetype()   63 "), "{said}");
     }
     fs::read(program.with_extension("png")).expect("the picture")
 }
@@ -143,6 +143,20 @@ fn primitives_of_gr_are_drawn() {
     assert_eq!(at(0.55, 0.7), [0x00, 0x80, 0xff], "the polygon has a colour of its own");
     assert_eq!(at(0.6, 0.5015), [0xff, 0x00, 0x00], "so has a line");
     assert_eq!(at(0.7405, 0.1255), [0xff, 0x7f, 0x7f], "and a marker, whose arm lies on two rows of pixels");
+}
+
+/// A program's own error handling function gets the numbers that XGKS has for its functions.
+#[cfg(target_os = "linux")]
+#[test]
+fn programs_of_xgks_handle_errors() {
+    if !has_compiler("gcc") {
+        return;
+    }
+    let output = start(&compile("xgks_errors", XGKS), &[]);
+    assert_good(&output);
+    let said = String::from_utf8_lossy(&output.stdout);
+    let names: Vec<_> = said.lines().filter_map(|line| line.split_once("  ").map(|(name, _)| name)).collect();
+    assert_eq!(names, ["gopengks()", "ginqwstran()", "an unknown function"], "{said}");
 }
 
 /// Every class of input in every mode.

@@ -1,7 +1,7 @@
 //! `gks run` and `gks doctor` on programs of many kinds.
 #![cfg(target_os = "linux")]
 
-use gks_tests::program::{self, built, has_compiler, repository, run};
+use gks_tests::program::{self, built, example, has_compiler, repository, run};
 use gks_tests::reader::skip;
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
@@ -158,4 +158,86 @@ fn a_program_that_was_linked_statically_must_be_linked_again() {
     assert!(run(&folder.join("static"), &[]).status.success());
     let (output, said) = say(&folder, &["run", "./static"]);
     assert!(!output.status.success() && said.contains("libgks.a"), "{said}");
+}
+
+/// Compiles an example of XGKS with the original library, as its authors meant it, or with ours and our header; nothing if
+/// something that it takes is not installed.
+fn example_of_xgks(folder: &Path, source: &str, original: bool) -> Option<PathBuf> {
+    let is_fortran = source.ends_with(".f");
+    let compiler = if is_fortran { "gfortran" } else { "gcc" };
+    let path = example(source).filter(|_| has_compiler(compiler))?;
+    if original && !Path::new("/usr/include/xgks.h").exists() {
+        return None;
+    }
+    let program = folder.join(format!("{source}.{}", if original { "original" } else { "ours" }));
+    let mut command = Command::new(compiler);
+    match is_fortran {
+        true => command.args(["-std=legacy", "-w", "-fallow-argument-mismatch", "-fno-automatic"]),
+        false => command.args(["-std=gnu89", "-w"]),
+    };
+    let include = |command: &mut Command, folder: &str| {
+        command.arg("-I").arg(repository().join(folder));
+    };
+    // Neither is in a package of the original: the constants for Fortran and a header of its programs.
+    include(&mut command, "bindings/fortran/include");
+    include(&mut command, "tests/legacy/xgks");
+    if !original {
+        include(&mut command, "bindings/compat/xgks/include");
+    }
+    command.arg(path).arg("-o").arg(&program);
+    if original {
+        command.args(["-lxgks-gfortran", "-lX11", "-lm"]);
+    } else {
+        command.arg(built("gks-xgks", "libxgks_gfortran.so")).arg("-lm");
+    }
+    let compiled = command.output().expect("the compiler runs");
+    assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+    Some(program)
+}
+
+/// Programs that were linked with the library of XGKS itself, with nothing of ours.
+#[test]
+fn binaries_of_xgks_draw_what_programs_do_that_are_compiled_again() {
+    let folder = program::folder(env!("CARGO_TARGET_TMPDIR"), "running", "binaries");
+    for source in ["star.f", "hanoi.c"] {
+        let pictures = [true, false].map(|original| {
+            let program = example_of_xgks(&folder, source, original)?;
+            let name = program.file_name()?.to_str()?;
+            let picture = format!("{name}.png");
+            let (output, said) = say(&folder, &["run", "-o", &picture, "--", &format!("./{name}")]);
+            assert!(output.status.success(), "{name}: {said}");
+            Some(image::open(folder.join(picture)).expect("the picture").into_rgb8())
+        });
+        let [Some(binary), Some(ours)] = pictures else {
+            return skip("binaries of XGKS", "there is no package libxgks-dev");
+        };
+        let drawn = binary.pixels().filter(|pixel| pixel.0 != [255; 3]).count();
+        assert!(drawn > 1000, "{source}: {drawn} pixels");
+        assert!(binary == ours, "{source} draws something else when it is compiled again");
+    }
+}
+
+/// The demonstration of XGKS, linked with the library of XGKS, is operated through all its menus.
+#[test]
+fn the_demonstration_that_was_linked_with_xgks_is_operated_by_a_script() {
+    let folder = program::folder(env!("CARGO_TARGET_TMPDIR"), "running", "demonstration");
+    if example_of_xgks(&folder, "gksdemo.f", true).is_none() {
+        return skip("the demonstration of XGKS", "there is no package libxgks-dev");
+    }
+    let script = repository().join("tests/legacy/gksdemo.txt");
+    // One that is out of step with its operator would wait for ever.
+    let mut command = Command::new("timeout");
+    command.arg("120").arg(gks()).args(["run", "--on", "scripted", "--", "./gksdemo.f.original"]);
+    command.current_dir(&folder).env("GKS_SCRIPT", &script).env("GKS_OPTIONS", "background=black");
+    let output = command.output().expect("timeout runs");
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && !said.contains("GKS ERROR"), "{}:\n{said}", output.status);
+    let steps = fs::read_to_string(&script).expect("the script");
+    let snapshots: Vec<_> = steps.lines().filter_map(|line| line.strip_prefix("snapshot ")).collect();
+    assert_eq!(snapshots.len(), 38);
+    for name in snapshots {
+        let screen = image::open(folder.join(name)).expect("a picture").into_rgb8();
+        let drawn = screen.pixels().filter(|pixel| pixel.0 != [0; 3]).count();
+        assert!(drawn > 2000, "{name}: {drawn} pixels");
+    }
 }

@@ -36,8 +36,8 @@ fn ncar(func_id: Gint, in_data: In<Gint>) -> bool {
     let known = gks_instance::call_instance(F, report, |instance| {
         gks_instance::check_state(&instance.gks, F)?;
         // The records of other identifiers have other types.
-        let is_name = func_id == gks_instance::NCAR_METAFILE_NAME;
-        let record = if is_name { in_data.cast::<Gdata<In<u8>>>().get() } else { None };
+        let is_text = gks_instance::ncar_record_is_read(func_id);
+        let record = if is_text { in_data.cast::<Gdata<In<u8>>>().get() } else { None };
         Ok(instance.ncar_escape(func_id, record.map_or(&[], Gdata::bytes)))
     });
     known.unwrap_or(true)

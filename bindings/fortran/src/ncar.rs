@@ -19,7 +19,7 @@ fn is_active() -> bool {
 /// ESCAPE with one of the identifiers of NCAR Graphics, a record and its length; nothing happens for another
 /// identifier. Whether it was one.
 ///
-/// All but the name of a metafile are without effect. Output records are left alone, since programs pass
+/// Output records are left alone, since programs pass
 /// constants for their lengths, but for that of saved attributes, which is read back: it is blank.
 pub(crate) fn escape(identifier: i32, idr: (Character, usize), mlodr: Integer, odr: Character) -> bool {
     const F: Function = Function::Escape;

@@ -42,7 +42,7 @@ pub(crate) fn defaults(dialect: Dialect) -> Defaults {
         defaults.look.join = Join::Round;
         defaults.tables.substitutes = NCAR_SUBSTITUTES;
         // NCAR's nominal marker size is a hundredth of the unit square, ours 6/1000.
-        defaults.tables.marker_scale = 10.0 / 6.0;
+        defaults.tables.nominal.marker_size = 10.0 / 6.0;
         // It has no patterns: areas that should have one are hollow.
         defaults.tables.patterns.clear();
         // Movies of the utilities start with segment 0.

@@ -11,6 +11,8 @@ mod error_file;
 mod exit;
 mod gr_colours;
 mod ncar;
+mod ncar_paper;
+mod prompt;
 mod text;
 mod unit;
 mod xgks;
@@ -18,7 +20,8 @@ mod xgks;
 pub use dialect::preset_dialect;
 pub use error_file::{ErrorFile, STANDARD_OUTPUT};
 pub use gks_workstations::dialect::Dialect;
-pub use ncar::{NCAR_METAFILE_NAME, interior_style};
+pub use ncar::{interior_style, ncar_record_is_read};
+pub use prompt::{Controlled, PromptAttributes};
 pub use text::{from_latin1, from_utf8_or_latin1};
 pub use unit::file_of_unit;
 pub use xgks::KeptPicture;
@@ -39,6 +42,8 @@ pub struct Instance {
     pub dialect: Dialect,
     /// The name of the next metafile, where a dialect has programs give it before OPEN WORKSTATION.
     pub metafile_name: Option<String>,
+    /// What programs of NCAR Graphics have said about paper.
+    paper: ncar_paper::Paper,
     /// What the environment of the process says about workstations.
     environment: Environment,
     /// The pictures that workstations keep to be written later, by workstation identifier.
@@ -88,6 +93,7 @@ fn create() -> Box<Instance> {
         error_file: ErrorFile::Stderr,
         dialect,
         metafile_name: None,
+        paper: ncar_paper::Paper::default(),
         environment,
         pictures: BTreeMap::new(),
         handling: false,

@@ -2,11 +2,39 @@
 
 use crate::{Dialect, Instance, with};
 use gks::Function;
-use gks_pipeline::look::InteriorStyle;
+use gks_pipeline::generated::numbers::NOMINAL_HATCH_SPACING;
+use gks_pipeline::look::{Cap, InteriorStyle, Join};
+use gks_pipeline::tables::NominalSize;
 use std::ops::RangeInclusive;
 
-/// The ESCAPE that gives the name of the file of the next workstation.
-pub const NCAR_METAFILE_NAME: i32 = -1391;
+/// The ESCAPEs that have an effect. Their records are text: but for the first one numbers, which begin with that of a
+/// workstation where they are not about paper.
+mod escape {
+    /// The name of the file of the next workstation.
+    pub(super) const FILE_NAME: i32 = -1391;
+    /// The spacing of hatches, as a part of the unit square.
+    pub(super) const HATCH_SPACING: i32 = -1513;
+    /// A factor for the nominal linewidth.
+    pub(super) const LINEWIDTH: i32 = -1516;
+    /// The joins of lines, as PostScript numbers them.
+    pub(super) const JOIN: i32 = -1518;
+    /// The ends of lines, as PostScript numbers them.
+    pub(super) const CAP: i32 = -1519;
+    /// Where on paper the unit square lies: x and y of its lower left corner and of its upper right one.
+    pub(super) const PLACE: i32 = -1521;
+    /// The width of paper.
+    pub(super) const PAPER_WIDTH: i32 = -1529;
+    /// The height of paper.
+    pub(super) const PAPER_HEIGHT: i32 = -1530;
+
+    pub(super) const ALL: [i32; 8] =
+        [FILE_NAME, HATCH_SPACING, LINEWIDTH, JOIN, CAP, PLACE, PAPER_WIDTH, PAPER_HEIGHT];
+}
+
+/// Whether the record of an ESCAPE of NCAR Graphics is text with a meaning here.
+pub fn ncar_record_is_read(identifier: i32) -> bool {
+    escape::ALL.contains(&identifier)
+}
 
 /// The identifiers of ESCAPE that NCAR Graphics has given out, and those that HLU uses on top of them.
 const IDENTIFIERS: RangeInclusive<i32> = -1599..=-1386;
@@ -62,6 +90,13 @@ fn name(record: &[u8]) -> Option<String> {
     Some(name).filter(|name| !name.is_empty())
 }
 
+/// The numbers in the record of an escape.
+fn numbers(record: &[u8]) -> Vec<f64> {
+    let text = crate::from_latin1(record);
+    let words = text.split(|c: char| c.is_whitespace() || c == '\0');
+    words.filter(|word| !word.is_empty()).map_while(|word| word.parse().ok()).collect()
+}
+
 /// The lines for the error file in the form that NCAR Graphics gives them, which names subroutines.
 pub(crate) fn message(number: i32, function: Option<Function>, text: &str) -> String {
     let subroutine = function.and_then(|function| function.fortran().first().copied()).unwrap_or_default();
@@ -69,16 +104,50 @@ pub(crate) fn message(number: i32, function: Option<Function>, text: &str) -> St
 }
 
 impl Instance {
-    /// Takes note of an ESCAPE with one of the identifiers of NCAR Graphics, whose record is text; nothing
-    /// happens for another identifier. Whether it was one. All but the name of a metafile are without effect.
+    /// Does what an ESCAPE with one of the identifiers of NCAR Graphics asks for, whose record is text; nothing happens
+    /// for another identifier. Whether it was one. Most are without effect; so are all about workstations that are not
+    /// open or draw nothing.
     pub fn ncar_escape(&mut self, identifier: i32, record: &[u8]) -> bool {
         if self.dialect != Dialect::Ncar || !IDENTIFIERS.contains(&identifier) {
             return false;
         }
-        if identifier == NCAR_METAFILE_NAME {
+        if identifier == escape::FILE_NAME {
             self.metafile_name = name(record);
+        } else {
+            // What a workstation cannot do is left undone.
+            let _ = self.numeric_escape(identifier, &numbers(record));
         }
         true
+    }
+
+    /// Does what an ESCAPE with numbers asks for.
+    fn numeric_escape(&mut self, identifier: i32, numbers: &[f64]) -> gks::Result<()> {
+        let gks = &mut self.gks;
+        match (identifier, numbers) {
+            (escape::HATCH_SPACING, &[workstation, spacing]) => gks.set_nominal_size(
+                workstation as i32,
+                NominalSize::HatchSpacing,
+                spacing / NOMINAL_HATCH_SPACING,
+            ),
+            (escape::LINEWIDTH, &[workstation, factor]) => {
+                gks.set_nominal_size(workstation as i32, NominalSize::Linewidth, factor)
+            }
+            (escape::JOIN, &[_, join]) => {
+                Join::from_number(join as i32).map_or(Ok(()), |join| gks.set_line_join(join))
+            }
+            (escape::CAP, &[_, cap]) => {
+                Cap::from_number(cap as i32).map_or(Ok(()), |cap| gks.set_line_cap(cap))
+            }
+            (escape::PLACE, &[left, bottom, right, top]) => {
+                self.paper.square = Some([left, bottom, right, top]);
+                Ok(())
+            }
+            (escape::PAPER_WIDTH | escape::PAPER_HEIGHT, &[side]) => {
+                self.paper.size[usize::from(identifier == escape::PAPER_HEIGHT)] = Some(side);
+                Ok(())
+            }
+            _ => Ok(()),
+        }
     }
 
     /// UPDATE WORKSTATION, which NCAR Graphics allows for workstation independent segment storage: HLU updates
@@ -95,11 +164,16 @@ impl Instance {
         if self.dialect == Dialect::Xgks {
             return self.open_xgks_workstation(workstation, connection, kind);
         }
-        let name = match self.dialect {
-            Dialect::Ncar => file_name(kind, workstation, &mut self.metafile_name),
-            _ => None,
+        if self.dialect != Dialect::Ncar {
+            return self.gks.open_workstation(workstation, connection, kind);
+        }
+        let name = file_name(kind, workstation, &mut self.metafile_name);
+        let name = name.as_deref().unwrap_or(connection);
+        let Some(paper) = self.paper.of(kind, &self.environment) else {
+            return self.gks.open_workstation(workstation, name, kind);
         };
-        self.gks.open_workstation(workstation, name.as_deref().unwrap_or(connection), kind)
+        self.gks.open_workstation(workstation, &paper.connection(name), kind)?;
+        paper.place(&mut self.gks, workstation, kind)
     }
 }
 
@@ -123,6 +197,13 @@ mod tests {
         assert_eq!(name(20, Some("plot")), "plot");
         assert_eq!([Some("plot"), Some("plot.png")].map(|given| name(41, given)), ["plot.png"; 2]);
         assert_eq!([3, 8, 10, 100].map(|kind| file_name(kind, 1, &mut None)), [const { None }; 4]);
+    }
+
+    #[test]
+    fn records_are_numbers_that_blanks_separate() {
+        assert_eq!(numbers(b"    1 0.0500000     "), [1.0, 0.05]);
+        assert_eq!(numbers(b"       -90       -15       710       785\0"), [-90.0, -15.0, 710.0, 785.0]);
+        assert_eq!(numbers(b"     "), []);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::{DataRecord, Error, Function, Gks, Result};
 use gks_pipeline::generated::numbers::{ESCAPES, escape};
 use gks_pipeline::look::{Cap, Join};
 use gks_pipeline::record::Record;
-use gks_pipeline::tables::Primitives;
+use gks_pipeline::tables::{NominalSize, Primitives};
 
 const F: Function = Function::Escape;
 
@@ -52,6 +52,10 @@ impl Gks {
                 let primitives = Primitives::from_number(primitives).ok_or_else(|| invalid(primitives))?;
                 self.set_opacity(workstation, primitives, opacity)
             }
+            (escape::SET_NOMINAL_SIZE, &[workstation, size], &[factor]) => {
+                let size = NominalSize::from_number(size).ok_or_else(|| invalid(size))?;
+                self.set_nominal_size(workstation, size, factor)
+            }
             // What it says is for those who read metafiles.
             (escape::COMPOUND_PRIMITIVE, _, _) => Ok(()),
             _ => Err(Error::new(180, F).because(format!("identifier {id}"))),
@@ -84,6 +88,29 @@ impl Gks {
         *workstation.tables_mut().opacity.of(primitives) = opacity as f32;
         let record = DataRecord::new(&[0, primitives as i32], &[opacity], &[]).pack(usize::MAX)?;
         let record = Record::Escape(escape::SET_OPACITY, record.as_flattened());
+        workstation.control(&record).map_err(|e| device_error(F, &e))
+    }
+
+    /// Sets a nominal size of a workstation for what is drawn from now on, as a multiple of the one that all devices have.
+    /// Segments that are drawn again have the sizes of that moment.
+    ///
+    /// Beyond the standard; ESCAPE offers it to other languages. Errors: 8, 20, 25, 33, 35, 36, 65, 71 or 87 (of a line, a
+    /// marker or a hatch; not more than 0), 303.
+    pub fn set_nominal_size(&mut self, id: i32, size: NominalSize, factor: f64) -> Result<()> {
+        self.check_state(F)?;
+        let workstation = self.suitable_workstation(F, id)?;
+        let error = match size {
+            NominalSize::Linewidth => 65,
+            NominalSize::MarkerSize => 71,
+            NominalSize::HatchSpacing => 87,
+        };
+        *workstation.tables_mut().nominal.of(size) = real(F, error, factor, |v| v > 0.0)?;
+        if size != NominalSize::HatchSpacing {
+            // Metafiles have these sizes in the attributes of lines and markers.
+            return Ok(());
+        }
+        let record = DataRecord::new(&[0, size as i32], &[factor], &[]).pack(usize::MAX)?;
+        let record = Record::Escape(escape::SET_NOMINAL_SIZE, record.as_flattened());
         workstation.control(&record).map_err(|e| device_error(F, &e))
     }
 
@@ -151,6 +178,11 @@ mod tests {
         assert_eq!(number(call(&mut gks, escape::INQUIRE_ANTIALIASING, &[9], &[])), 182);
         assert_eq!(number(call(&mut gks, escape::SET_OPACITY, &[1, 4], &[0.5])), 182);
         assert_eq!(number(call(&mut gks, escape::SET_OPACITY, &[1, 3], &[1.5])), 182);
+        assert_eq!(number(call(&mut gks, escape::SET_NOMINAL_SIZE, &[1, 3], &[1.0])), 182);
+        assert_eq!(
+            [0, 1, 2].map(|n| number(call(&mut gks, escape::SET_NOMINAL_SIZE, &[1, n], &[0.0]))),
+            [182; 3]
+        );
     }
 
     #[test]
@@ -178,6 +210,32 @@ mod tests {
         assert_eq!(paint.colour.alpha, 0.5);
         let opacity = |primitives| gks.opacity(1, primitives).unwrap();
         assert_eq!((opacity(Primitives::Lines), opacity(Primitives::Areas)), (0.5, 1.0));
+    }
+
+    #[test]
+    fn nominal_sizes_are_those_of_a_workstation() {
+        let (mut gks, log) = active(&[PLAIN]);
+        let width = |gks: &mut Gks| {
+            gks.polyline(&[(0.0, 0.0), (1.0, 1.0)]).unwrap();
+            let (Drawing::Lines(_, pen), _) = log.mark() else { panic!("not a line") };
+            pen.width
+        };
+        let before = width(&mut gks);
+        call(&mut gks, escape::SET_NOMINAL_SIZE, &[1, 0], &[4.0]).unwrap();
+        assert_eq!(width(&mut gks), 4.0 * before);
+
+        gks.set_fill_area_interior_style(InteriorStyle::Hatch).unwrap();
+        gks.set_fill_area_style_index(-1).unwrap();
+        let lines = |gks: &mut Gks| {
+            gks.fill_area(&[(0.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, 0.0)]).unwrap();
+            let (Drawing::Lines(points, pen), _) = log.mark() else { panic!("not a hatch") };
+            assert_eq!(pen.width, 4.0 * before);
+            points.len()
+        };
+        let lines_before = lines(&mut gks);
+        gks.set_nominal_size(1, NominalSize::HatchSpacing, 5.0).unwrap();
+        let lines_after = lines(&mut gks);
+        assert_eq!((lines_before, lines_after), (100, 20));
     }
 
     #[test]

@@ -422,14 +422,15 @@ fn must(drawn: Result<Drawn, DeviceError>) -> Result<(), DeviceError> {
 
 /// The pen for the boundary of hollow areas and for hatches: solid, of nominal width.
 pub(crate) fn plain_pen(paint: Paint, canvas: &Canvas<'_>) -> Pen<'static> {
-    Pen { paint, width: canvas.surface.nominal_linewidth(), dash: &[], cap: Cap::Round, join: Join::Round }
+    let width = lower::line::width(canvas.tables.nominal.linewidth, canvas.surface);
+    Pen { paint, width, dash: &[], cap: Cap::Round, join: Join::Round }
 }
 
 /// Width and dashes of the last line, kept as long as lines look the same.
 #[derive(Default)]
 struct Dash {
     linetype: i32,
-    /// The linewidth scale factor, the shorter side of the surface and its resolution.
+    /// The linewidth as a multiple of the nominal one of all devices, the shorter side of the surface and its resolution.
     factors: [f64; 3],
     width: f64,
     lengths: Vec<f64>,
@@ -439,10 +440,11 @@ struct Dash {
 fn resolve_pen<'d>(look: &Look, canvas: &Canvas<'_>, dash: &'d mut Dash) -> Pen<'d> {
     let bundle = canvas.tables.line(look);
     let surface = canvas.surface;
-    let factors = [bundle.width, surface.width.min(surface.height), surface.resolution];
+    let width = bundle.width * canvas.tables.nominal.linewidth;
+    let factors = [width, surface.width.min(surface.height), surface.resolution];
     if dash.linetype != bundle.linetype || dash.factors != factors {
         (dash.linetype, dash.factors) = (bundle.linetype, factors);
-        dash.width = lower::line::width(bundle.width, surface);
+        dash.width = lower::line::width(width, surface);
         // Dashes of wide lines grow with the width, or they would merge.
         let unit = surface.nominal_linewidth().max(dash.width * 0.5);
         dash.lengths.clear();

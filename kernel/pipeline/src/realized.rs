@@ -15,10 +15,11 @@ impl Workstation {
     /// surface, a colour index without representation is 1.
     pub fn realized_line(&self, set: LineBundle) -> LineBundle {
         let (least, greatest) = lower::line::range(&self.description().surface);
+        let nominal = self.tables().nominal.linewidth;
         let known = numbers::LINETYPES.iter().any(|l| l.number == set.linetype);
         LineBundle {
             linetype: if known { set.linetype } else { 1 },
-            width: set.width.clamp(least, greatest),
+            width: set.width.clamp(least / nominal, greatest / nominal),
             colour: self.realized_index(set.colour),
         }
     }

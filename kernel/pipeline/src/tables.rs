@@ -37,8 +37,8 @@ pub struct Tables {
     pub colours: Colours,
     /// Fonts that are drawn with another one in their place: pairs of a font number and its substitute.
     pub substitutes: &'static [(i32, i32)],
-    /// The nominal marker size as a multiple of the one that all devices have.
-    pub marker_scale: f64,
+    /// Nominal sizes.
+    pub nominal: Nominal,
     /// How opaque primitives are, on top of the opacity of their colours.
     pub opacity: Opacity,
 }
@@ -81,6 +81,43 @@ impl Opacity {
             Primitives::Markers => &mut self.markers,
             Primitives::Text => &mut self.text,
             Primitives::Areas => &mut self.areas,
+        }
+    }
+}
+
+enumeration! {
+    /// The nominal sizes that a workstation may have of its own.
+    NominalSize {
+        /// Of lines, boundaries of hollow areas and hatches.
+        Linewidth = 0,
+        /// Of markers.
+        MarkerSize = 1,
+        /// The distance of the lines of a hatch.
+        HatchSpacing = 2,
+    }
+}
+
+/// The nominal sizes of a workstation as multiples of those that all devices have, more than zero. Beyond the standard.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub struct Nominal {
+    /// Of lines.
+    pub linewidth: f64,
+    /// Of markers.
+    pub marker_size: f64,
+    /// Of hatches.
+    pub hatch_spacing: f64,
+}
+
+impl Nominal {
+    /// Those that all devices have.
+    pub const USUAL: Nominal = Nominal { linewidth: 1.0, marker_size: 1.0, hatch_spacing: 1.0 };
+
+    /// One of them, to be changed.
+    pub fn of(&mut self, size: NominalSize) -> &mut f64 {
+        match size {
+            NominalSize::Linewidth => &mut self.linewidth,
+            NominalSize::MarkerSize => &mut self.marker_size,
+            NominalSize::HatchSpacing => &mut self.hatch_spacing,
         }
     }
 }
@@ -195,7 +232,7 @@ impl Tables {
             })),
             colours,
             substitutes: &[],
-            marker_scale: 1.0,
+            nominal: Nominal::USUAL,
             opacity: Opacity::FULL,
         }
     }
@@ -247,14 +284,14 @@ impl Tables {
         }
     }
 
-    /// A look as a metafile keeps it, for readers that have neither these substitutes nor this marker size; none where
-    /// it is the same.
+    /// A look as a metafile keeps it, for readers that have neither these substitutes nor these nominal sizes; none
+    /// where it is the same.
     pub fn portable(&self, look: &Look) -> Option<Look> {
-        if self.substitutes.is_empty() && self.marker_scale == 1.0 {
+        if self.substitutes.is_empty() && (self.nominal.linewidth, self.nominal.marker_size) == (1.0, 1.0) {
             return None;
         }
         let (text, marker) = (self.portable_text(look.text), self.portable_marker(look.marker));
-        Some(Look { text, marker, ..look.clone() })
+        Some(Look { line: self.portable_line(look.line), text, marker, ..look.clone() })
     }
 
     /// A text bundle as a metafile keeps it.
@@ -262,9 +299,14 @@ impl Tables {
         TextBundle { font: self.substitute(bundle.font), ..bundle }
     }
 
+    /// A polyline bundle as a metafile keeps it.
+    pub fn portable_line(&self, bundle: LineBundle) -> LineBundle {
+        LineBundle { width: bundle.width * self.nominal.linewidth, ..bundle }
+    }
+
     /// A polymarker bundle as a metafile keeps it.
     pub fn portable_marker(&self, bundle: MarkerBundle) -> MarkerBundle {
-        MarkerBundle { size: bundle.size * self.marker_scale, ..bundle }
+        MarkerBundle { size: bundle.size * self.nominal.marker_size, ..bundle }
     }
 
     fn substitute(&self, font: i32) -> i32 {

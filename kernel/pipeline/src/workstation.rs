@@ -172,6 +172,9 @@ impl Workstation {
             Record::TextRepresentation(index, bundle) => {
                 self.control(&Record::TextRepresentation(index, self.tables.portable_text(bundle)))
             }
+            Record::LineRepresentation(index, bundle) => {
+                self.control(&Record::LineRepresentation(index, self.tables.portable_line(bundle)))
+            }
             Record::MarkerRepresentation(index, bundle) => {
                 self.control(&Record::MarkerRepresentation(index, self.tables.portable_marker(bundle)))
             }

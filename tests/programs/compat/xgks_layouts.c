@@ -106,6 +106,9 @@ static void values(void)
     IS(GTV_CAP); IS(GTV_BOTTOM); IS(GPOSTPONE); IS(GDETECTABLE); IS(GHIGHLIGHTED); IS(GINVISIBLE); IS(GMORE);
     IS(GLOWER); IS(GINVALID); IS(GOUTPUT); IS(GOUTIN); IS(GMO); IS(GMI); IS(GRASTER); IS(GACTIVE); IS(GPENDING);
     IS(GRD_X);
+    IS(errnull); IS(errgopengks); IS(errgescredrawnotify); IS(errgpolyline); IS(errgsetasf); IS(errgcreateseg);
+    IS(errginitloc); IS(errgreqloc); IS(errgawaitevent); IS(errgwritegksm); IS(errgerrorlog); IS(errginqactivews);
+    IS(errginqlevelgks); IS(errginqpixel); IS(errginqvalst); IS(errginqwstran);
 }
 
 int main(void)

@@ -5,41 +5,10 @@
 #![allow(non_camel_case_types, reason = "the names of the binding")]
 
 use crate::argument::{In, array};
-use crate::types::{Gdata, Gfill_bundle, Gfloat, Gint, Gline_bundle};
+use crate::types::{Gdata, Gdouble, Gfloat, Gint};
 use gks::DataRecord;
+use gks_instance::{Controlled, PromptAttributes};
 use std::ffi::{CStr, c_char};
-
-/// `Gline_attrs`, and `Gmarker_attrs`, which is laid out alike: aspect source flags and an index, then a bundle of a
-/// type, a size and a colour index.
-#[repr(C)]
-#[derive(Copy, Clone)]
-struct Line {
-    flags_and_index: [Gint; 4],
-    bundle: Gline_bundle,
-}
-
-/// `Gfill_attrs`.
-#[repr(C)]
-#[derive(Copy, Clone)]
-struct Fill {
-    flags_and_index: [Gint; 4],
-    bundle: Gfill_bundle,
-}
-
-#[repr(C)]
-#[derive(Copy, Clone)]
-union Attributes {
-    line: Line,
-    fill: Fill,
-}
-
-/// Attributes behind an attribute control flag.
-#[repr(C)]
-#[derive(Copy, Clone)]
-pub(crate) struct Controlled {
-    flag: Gint,
-    attributes: Attributes,
-}
 
 /// Attributes behind the flag that says whether they are those of lines or of areas.
 #[repr(C)]
@@ -47,55 +16,18 @@ pub(crate) struct Controlled {
 pub(crate) struct Chosen {
     line_or_fill: Gint,
     flag: Gint,
-    attributes: Attributes,
+    attributes: PromptAttributes<Gdouble>,
 }
 
-/// The value of the flag for attributes that are specified, and of that for areas.
-const SPECIFIED: Gint = 1;
+/// The value of the flag for areas.
 const FILL: Gint = 1;
-
-impl Controlled {
-    /// Adds the flag and the attributes, unless they are the current ones and need not be there.
-    fn read(&self, of_areas: bool, record: &mut DataRecord) {
-        record.integers.push(self.flag);
-        if self.flag != SPECIFIED {
-            return;
-        }
-        if of_areas {
-            // SAFETY: specified attributes of areas.
-            let Fill { flags_and_index, bundle } = unsafe { self.attributes.fill };
-            record.integers.extend(flags_and_index);
-            record.integers.extend([bundle.int_style, bundle.style_ind, bundle.colr_ind]);
-        } else {
-            // SAFETY: specified attributes of lines or markers.
-            let Line { flags_and_index, bundle } = unsafe { self.attributes.line };
-            record.integers.extend(flags_and_index);
-            record.integers.extend([bundle.r#type, bundle.colr_ind]);
-            record.reals.push(bundle.width);
-        }
-    }
-
-    fn write(of_areas: bool, integers: &[Gint], reals: &[f64]) -> Controlled {
-        let at = |i: usize| integers.get(i).copied().unwrap_or(0);
-        let flags_and_index = [at(1), at(2), at(3), at(4)];
-        let attributes = if of_areas {
-            let bundle = Gfill_bundle { int_style: at(5), style_ind: at(6), colr_ind: at(7) };
-            Attributes { fill: Fill { flags_and_index, bundle } }
-        } else {
-            let width = reals.first().copied().unwrap_or(0.0);
-            let bundle = Gline_bundle { r#type: at(5), width, colr_ind: at(6) };
-            Attributes { line: Line { flags_and_index, bundle } }
-        };
-        Controlled { flag: at(0), attributes }
-    }
-}
 
 /// The union in `Gloc_data`.
 #[repr(C)]
 #[derive(Copy, Clone)]
 pub(crate) union Gloc_data {
     none: Gdata,
-    pet_r4: Controlled,
+    pet_r4: Controlled<Gdouble>,
     pet_r5: Chosen,
 }
 
@@ -115,7 +47,7 @@ pub(crate) struct Gstroke_data {
 union Stroke {
     none: Gdata,
     /// Of `pet_r3` and `pet_r4`.
-    controlled: Controlled,
+    controlled: Controlled<Gdouble>,
 }
 
 /// A number of strings.
@@ -183,10 +115,12 @@ pub(crate) fn locator(pet: Gint, data: In<Gloc_data>) -> DataRecord {
 /// The data of a record of a locator.
 pub(crate) fn of_locator(pet: Gint, record: &DataRecord) -> Gloc_data {
     match (pet, record.integers.as_slice()) {
-        (4, integers) => Gloc_data { pet_r4: Controlled::write(false, integers, &record.reals) },
+        (4, integers) => {
+            Gloc_data { pet_r4: Controlled::write(false, integers, &record.reals, Gdouble::from) }
+        }
         (5, [line_or_fill, rest @ ..]) => {
             let Controlled { flag, attributes } =
-                Controlled::write(*line_or_fill == FILL, rest, &record.reals);
+                Controlled::write(*line_or_fill == FILL, rest, &record.reals, Gdouble::from);
             Gloc_data { pet_r5: Chosen { line_or_fill: *line_or_fill, flag, attributes } }
         }
         _ => Gloc_data { none: NONE },
@@ -212,7 +146,7 @@ pub(crate) fn of_stroke(pet: Gint, record: &DataRecord) -> Gstroke_data {
     let real = |i: usize| record.reals.get(i).map_or(0.0, |&real| real as Gfloat);
     let pets = match (pet, record.integers.get(1..), record.reals.get(3..)) {
         (3 | 4, Some(integers), Some(reals)) => {
-            Stroke { controlled: Controlled::write(false, integers, reals) }
+            Stroke { controlled: Controlled::write(false, integers, reals, Gdouble::from) }
         }
         _ => Stroke { none: NONE },
     };

@@ -17,6 +17,8 @@ typedef int Gint;
 typedef int Glong;
 typedef char Gchar;
 typedef float Gfloat;
+/* XGKS has no prototypes: real numbers that are arguments come as doubles. */
+typedef double XGKS_REAL;
 typedef FILE Gfile;
 
 #define OK 0
@@ -273,6 +275,42 @@ typedef struct Gnumdev { Gint locator, stroke, valuator, choice, pick, string; }
 typedef union Gescin { struct { Gint dummy; } escid1; struct { Gint dummy; } escid2; } Gescin;
 typedef union Gescout { struct { Gint dummy; } escid1; struct { Gint dummy; } escid2; } Gescout;
 
+/* The functions by their numbers, which the error handling function of a program is given. */
+typedef enum Gerrmap {
+    errnull, errgopengks, errgclosegks, errgopenws, errgclosews, errgactivatews, errgdeactivatews, errgclearws,
+    errgredrawsegws, errgupdatews, errgsetdeferst, errgmessage, errgescredrawnotify, errgescsetcolourmask,
+    errgescsetdcsize, errgescstoreprimi, errgescinqxattr, errgpolyline, errgpolymarker, errgtext, errgfillarea,
+    errgcellarray, errggdp, errgsetlineind, errgsetlinetype, errgsetlinewidth, errgsetlinecolourind,
+    errgsetmarkerind, errgsetmarkertype, errgsetmarkersize, errgsetmarkercolourind, errgsettextind,
+    errgsettextfontprec, errgsetcharexpan, errgsetcharspace, errgsettextcolourind, errgsetcharheight, errgsetcharup,
+    errgsettextpath, errgsettextalign, errgsetfillind, errgsetfillintstyle, errgsetfillstyleind,
+    errgsetfillcolourind, errgsetpatsize, errgsetpatrefpt, errgsetasf, errgsetpickid, errgsetlinerep,
+    errgsetmarkerrep, errgsetpatrep, errgsetfillrep, errgsettextrep, errgsetcolourrep, errgsetwindow,
+    errgsetviewport, errgsetviewportinputpri, errgselntran, errgsetclip, errgsetwswindow, errgsetwsviewport,
+    errgcreateseg, errgcloseseg, errgrenameseg, errgdelseg, errgdelsegws, errgassocsegws, errgcopysegws,
+    errginsertseg, errgsetsegtran, errgsetvis, errgsethighlight, errgsetsegpri, errgsetdet, errgsetsegattr,
+    errginitloc, errginitstroke, errginitval, errginitchoice, errginitpick, errginitstring, errgsetlocmode,
+    errgsetstrokemode, errgsetvalmode, errgsetchoicemode, errgsetpickmode, errgsetstringmode, errgreqloc,
+    errgreqstroke, errgreqval, errgreqchoice, errgreqpick, errgreqstring, errgsampleloc, errgsamplestroke,
+    errgsampleval, errgsamplechoice, errgsamplepick, errgsamplestring, errgawaitevent, errgflushevents, errggetloc,
+    errggetstroke, errggetval, errggetchoice, errggetpick, errggetstring, errgwritegksm, errggettypegksm,
+    errgreadgksm, errggetgksm, errginterpret, errgevaltran, errgaccumtran, errgemergencyclosegks, errgerrorhand,
+    errgerrorlog, errginqactivews, errginqasf, errginqassocws, errginqavailgdp, errginqavailwstypes,
+    errginqchoicest, errginqclip, errginqcolourfacil, errginqcolourindices, errginqcolourrep, errginqcurntrannum,
+    errginqdefchoice, errginqdefdeferst, errginqdefloc, errginqdefpick, errginqdefstring, errginqdefstroke,
+    errginqdefval, errginqdisplayspacesize, errginqdisplaysize, errginqfillfacil, errginqfillindices,
+    errginqfillrep, errginqgdp, errginqindivattr, errginqinputoverflow, errginqlevelgks, errginqlinefacil,
+    errginqlineindices, errginqlinerep, errginqlocst, errginqmarkerfacil, errginqmarkerindices, errginqmarkerrep,
+    errginqmaxntrannum, errginqmaxwssttables, errginqmodsegattr, errginqmodwsattr, errginqmoreevents,
+    errginqnameopenseg, errginqntrannum, errginqntran, errginqnumavailinput, errginqnumsegpri, errginqopenws,
+    errginqopst, errginqpatfacil, errginqpatindices, errginqpatrep, errginqcurpickid, errginqpickst, errginqpixel,
+    errginqpixelarray, errginqpixelarraydim, errginqpredcolourrep, errginqpredfillrep, errginqpredlinerep,
+    errginqpredmarkerrep, errginqpredpatrep, errginqpredtextrep, errginqprimattr, errginqsegattr, errginqsegnames,
+    errginqsegnamesws, errginqstringst, errginqstrokest, errginqtextextent, errginqtextfacil, errginqtextindices,
+    errginqtextrep, errginqvalst, errginqwscategory, errginqwsclass, errginqwsconntype, errginqwsdeferupdatest,
+    errginqwsmaxnum, errginqwsst, errginqwstran
+} Gerrmap;
+
 Gint gopenws(Gint wsid, Gchar *connection, Gchar *ws_type);
 Gint gclosews(Gint wsid);
 Gint gclearws(Gint wsid, Gclrflag control_flag);
@@ -293,15 +331,15 @@ Gint gselntran(Gint trans);
 Gint gsetclip(Gclip ind);
 Gint gsetwswindow(Gint wsid, Glimit *window);
 Gint gsetwsviewport(Gint wsid, Glimit *viewport);
-Gint gevaltran(Gpoint *ppoint, Gpoint *pshift, Gfloat angle, Gpoint *pscale, Gcsw coord, Gfloat result[2][3]);
-Gint gaccumtran(Gfloat segtran[2][3], Gpoint *ppoint, Gpoint *pshift, Gfloat angle, Gpoint *pscale, Gcsw coord, Gfloat result[2][3]);
+Gint gevaltran(Gpoint *ppoint, Gpoint *pshift, XGKS_REAL angle, Gpoint *pscale, Gcsw coord, Gfloat result[2][3]);
+Gint gaccumtran(Gfloat segtran[2][3], Gpoint *ppoint, Gpoint *pshift, XGKS_REAL angle, Gpoint *pscale, Gcsw coord, Gfloat result[2][3]);
 Gint gemergencyclosegks(void);
 Gint gerrorhand(Gint errnum, Gint function, Gfile *perrfile);
 Gint gerrorlog(Gint errnum, Gint function, Gfile *perrfile);
 Gint gpolyline(Gint num_pts, Gpoint *pts);
 Gint gsetlineind(Gint idx);
 Gint gsetlinetype(Gint type);
-Gint gsetlinewidth(Gfloat width);
+Gint gsetlinewidth(XGKS_REAL width);
 Gint gsetlinecolourind(Gint idx);
 Gint gsetlinerep(Gint wsid, Gint idx, Glnbundl *rep);
 Gint gcreateseg(Gint name);
@@ -322,7 +360,7 @@ Gint ginqsegnames(Gintlist *segs);
 Gint ginqsegnamesws(Gint wsid, Gintlist *segs);
 Gint ginqnumsegpri(Gchar *ws_type, Gint *numpri);
 Gint gpolymarker(Gint num_pts, Gpoint *pts);
-Gint gsetmarkersize(Gfloat size);
+Gint gsetmarkersize(XGKS_REAL size);
 Gint gsetmarkertype(Gint type);
 Gint gsetmarkercolourind(Gint colour);
 Gint gsetmarkerind(Gint idx);
@@ -336,9 +374,9 @@ Gint gsetfillstyleind(Gint idx);
 Gint gsetpatrep(Gint wsid, Gint idx, Gptbundl *rep);
 Gint gcellarray(Grect *rect, Gipoint *dim, Gint row, Gint *colour);
 Gint gupdatews(Gint wsid, Gregen regenflag);
-Gint gsetcharexpan(Gfloat expansion);
-Gint gsetcharheight(Gfloat height);
-Gint gsetcharspace(Gfloat spacing);
+Gint gsetcharexpan(XGKS_REAL expansion);
+Gint gsetcharheight(XGKS_REAL height);
+Gint gsetcharspace(XGKS_REAL spacing);
 Gint gsetcharup(Gpoint *up_vector);
 Gint gsettextalign(Gtxalign *txalign);
 Gint gsettextcolourind(Gint colour);
@@ -410,7 +448,7 @@ Gint gsetpatrefpt(Gpoint *ref);
 /* Input. */
 Gint ginitloc(Gint wsid, Gint dev, Gloc *init, Gint pet, Glimit *area, Glocrec *record);
 Gint ginitstroke(Gint wsid, Gint dev, Gstroke *init, Gint pet, Glimit *area, Gstrokerec *record);
-Gint ginitval(Gint wsid, Gint dev, Gfloat init, Gint pet, Glimit *area, Gvalrec *record);
+Gint ginitval(Gint wsid, Gint dev, XGKS_REAL init, Gint pet, Glimit *area, Gvalrec *record);
 Gint ginitchoice(Gint wsid, Gint dev, Gchoice *init, Gint pet, Glimit *area, Gchoicerec *record);
 Gint ginitpick(Gint wsid, Gint dev, Gpick *init, Gint pet, Glimit *area, Gpickrec *record);
 Gint ginitstring(Gint wsid, Gint dev, Gchar *init, Gint pet, Glimit *area, Gstringrec *record);
@@ -432,7 +470,7 @@ Gint gsampleval(Gint wsid, Gint dev, Gfloat *response);
 Gint gsamplechoice(Gint wsid, Gint dev, Gchoice *response);
 Gint gsamplepick(Gint wsid, Gint dev, Gpick *response);
 Gint gsamplestring(Gint wsid, Gint dev, Gchar *response);
-Gint gawaitevent(Gfloat timeout, Gevent *event);
+Gint gawaitevent(XGKS_REAL timeout, Gevent *event);
 Gint gflushevents(Gint wsid, Giclass in_class, Gint dev);
 Gint ggetloc(Gloc *response);
 Gint ggetstroke(Gstroke *response);

@@ -122,7 +122,10 @@ impl Gks {
     fn interpret_escape(&mut self, id: i32, data: &[u8]) -> Result<()> {
         let record = DataRecord::unpack_bytes(data).unwrap_or_default();
         match id {
-            escape::SET_COLOUR_ALPHA | escape::SET_ANTIALIASING | escape::SET_OPACITY
+            escape::SET_COLOUR_ALPHA
+            | escape::SET_ANTIALIASING
+            | escape::SET_OPACITY
+            | escape::SET_NOMINAL_SIZE
                 if !record.integers.is_empty() =>
             {
                 self.on_active(|gks, workstation| {

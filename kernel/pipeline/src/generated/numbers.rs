@@ -540,6 +540,8 @@ pub mod escape {
     pub const COMPOUND_PRIMITIVE: i32 = -3006;
     /// Set opacity; data record: integers (workstation identifier; primitives: 0 lines, 1 markers, 2 text, 3 areas and cells), reals (opacity, 0 transparent to 1 opaque, on top of that of colours).
     pub const SET_OPACITY: i32 = -3007;
+    /// Set nominal size; data record: integers (workstation identifier; size: 0 linewidth, 1 marker size, 2 hatch spacing), reals (the size as a multiple of the one that all devices have).
+    pub const SET_NOMINAL_SIZE: i32 = -3008;
 }
 
 /// The escape functions.
@@ -551,6 +553,7 @@ pub static ESCAPES: &[Escape] = &[
     Escape { number: -3005, name: "inquire antialiasing", integers: 1, reals: 0, output_integers: 1 },
     Escape { number: -3006, name: "compound primitive", integers: 1, reals: 0, output_integers: 0 },
     Escape { number: -3007, name: "set opacity", integers: 2, reals: 1, output_integers: 0 },
+    Escape { number: -3008, name: "set nominal size", integers: 2, reals: 1, output_integers: 0 },
 ];
 
 /// The predefined polyline bundles 1, 2, ....

@@ -32,7 +32,8 @@ pub(crate) fn draw(
     canvas: &mut Canvas<'_>,
 ) -> Result<(), DeviceError> {
     let surface = canvas.surface;
-    let spacing = surface.width.min(surface.height) * numbers::NOMINAL_HATCH_SPACING * style.spacing;
+    let nominal = numbers::NOMINAL_HATCH_SPACING * canvas.tables.nominal.hatch_spacing;
+    let spacing = surface.width.min(surface.height) * nominal * style.spacing;
     // The lines start from the lower left corner of the surface, so that every device hatches alike; the first
     // is half a spacing away from it. Edges tend to lie at round numbers, and whether a line along an edge is
     // seen depends on rounding.

@@ -25,7 +25,7 @@ pub(crate) fn style(look: &Look, canvas: &Canvas<'_>) -> MarkerStyle {
     let width = canvas.surface.nominal_linewidth();
     let size = match bundle.kind {
         1 => width,
-        _ => factor * canvas.tables.marker_scale * canvas.surface.nominal_marker_size(),
+        _ => factor * canvas.tables.nominal.marker_size * canvas.surface.nominal_marker_size(),
     };
     let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.markers);
     MarkerStyle { kind: bundle.kind, size, width, paint }

@@ -152,10 +152,20 @@ pub(crate) fn call(function: Function, f: impl FnOnce(&mut Gks) -> gks::Result<(
 
 /// [`call`] for functions that need more than the kernel.
 pub(crate) fn call_instance(function: Function, f: impl FnOnce(&mut Instance) -> gks::Result<()>) -> Gint {
+    call_as(None, function, f)
+}
+
+/// [`call_instance`] for a function of XGKS that does what several of the standard do: all errors are reported as its own,
+/// by its number.
+pub(crate) fn call_as(
+    as_function: Option<Gint>,
+    function: Function,
+    f: impl FnOnce(&mut Instance) -> gks::Result<()>,
+) -> Gint {
     let number = Cell::new(0);
     let reported = |error: &Error, _: &gks_instance::ErrorFile| {
         number.set(error.number);
-        report(error);
+        report(error, as_function);
     };
     gks_instance::call_instance(function, reported, |instance| {
         gks_instance::check_state(&instance.gks, function)?;

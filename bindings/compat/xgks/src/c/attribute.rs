@@ -1,7 +1,7 @@
 //! Output attributes of all workstations.
 
 use super::argument::{Address, call, choice};
-use super::types::{Gasfs, Gfloat, Gint, Gpoint, Gtxalign, Gtxfp};
+use super::types::{Gasfs, Gint, Gpoint, Gtxalign, Gtxfp, Promoted};
 use gks::Function;
 use gks_pipeline::look::{AspectSourceFlags, Horizontal, InteriorStyle, Precision, TextPath, Vertical};
 
@@ -19,17 +19,17 @@ macro_rules! setters {
 setters! {
     gsetlineind(Gint) SetPolylineIndex => set_polyline_index;
     gsetlinetype(Gint) SetLinetype => set_linetype;
-    gsetlinewidth(Gfloat) SetLinewidthScaleFactor => set_linewidth_scale_factor;
+    gsetlinewidth(Promoted) SetLinewidthScaleFactor => set_linewidth_scale_factor;
     gsetlinecolourind(Gint) SetPolylineColourIndex => set_polyline_colour_index;
     gsetmarkerind(Gint) SetPolymarkerIndex => set_polymarker_index;
     gsetmarkertype(Gint) SetMarkerType => set_marker_type;
-    gsetmarkersize(Gfloat) SetMarkerSizeScaleFactor => set_marker_size_scale_factor;
+    gsetmarkersize(Promoted) SetMarkerSizeScaleFactor => set_marker_size_scale_factor;
     gsetmarkercolourind(Gint) SetPolymarkerColourIndex => set_polymarker_colour_index;
     gsettextind(Gint) SetTextIndex => set_text_index;
-    gsetcharexpan(Gfloat) SetCharacterExpansionFactor => set_character_expansion_factor;
-    gsetcharspace(Gfloat) SetCharacterSpacing => set_character_spacing;
+    gsetcharexpan(Promoted) SetCharacterExpansionFactor => set_character_expansion_factor;
+    gsetcharspace(Promoted) SetCharacterSpacing => set_character_spacing;
     gsettextcolourind(Gint) SetTextColourIndex => set_text_colour_index;
-    gsetcharheight(Gfloat) SetCharacterHeight => set_character_height;
+    gsetcharheight(Promoted) SetCharacterHeight => set_character_height;
     gsetfillind(Gint) SetFillAreaIndex => set_fill_area_index;
     gsetfillstyleind(Gint) SetFillAreaStyleIndex => set_fill_area_style_index;
     gsetfillcolourind(Gint) SetFillAreaColourIndex => set_fill_area_colour_index;

@@ -1,7 +1,8 @@
 //! Error handling: `gerrorhand`, which a program may replace, and `gerrorlog`.
 
+use super::function::{name, number};
 use super::types::Gint;
-use gks::{Error, Function};
+use gks::Error;
 use std::ffi::{CString, c_char, c_int, c_void};
 use std::sync::atomic::{AtomicPtr, Ordering};
 
@@ -25,9 +26,10 @@ pub(crate) fn set_stream(stream: *mut Gfile) {
     STREAM.store(stream, Ordering::Relaxed);
 }
 
-/// Hands an error to the error handling function: to that of the program where it has one.
+/// Hands an error to the error handling function, to that of the program where it has one, as an error of the function
+/// with a number, which is that of the error's own function if none is given.
 #[cold]
-pub(crate) fn report(error: &Error) {
+pub(crate) fn report(error: &Error, function: Option<Gint>) {
     // SAFETY: a null handle means all that is loaded, the program first; the name ends with a zero byte.
     let address = unsafe { dlsym(std::ptr::null_mut(), c"gerrorhand".as_ptr()) };
     let handler: Handler = if address.is_null() {
@@ -37,7 +39,7 @@ pub(crate) fn report(error: &Error) {
         unsafe { std::mem::transmute::<*mut c_void, Handler>(address) }
     };
     let stream = STREAM.load(Ordering::Relaxed);
-    handler(error.number, error.function.id().unwrap_or(-1), stream);
+    handler(error.number, function.unwrap_or_else(|| number(error.function)), stream);
 }
 
 /// ERROR HANDLING: logs the error.
@@ -47,12 +49,11 @@ extern "C" fn gerrorhand(number: Gint, function: Gint, stream: *mut Gfile) -> Gi
 }
 
 /// ERROR LOGGING: writes name of the function, number and text of an error to a stream, to the standard error output for a
-/// null pointer. Functions are known by their identifiers in ISO 8651, not by the numbers that XGKS gave them.
+/// null pointer. Functions are known by their numbers in XGKS.
 #[unsafe(no_mangle)]
 extern "C" fn gerrorlog(number: Gint, function: Gint, stream: *mut Gfile) -> Gint {
     let text = gks::generated::error_text::text(number).unwrap_or("unknown error");
-    let known = Function::ALL.into_iter().find(|f| f.id() == Some(function));
-    let name = known.map_or("an unknown function", Function::name);
+    let name = name(function).map_or_else(|| "an unknown function".to_owned(), |name| format!("{name}()"));
     let line = format!("{name} {number:4} {text}\n");
     let Some(line_c) = CString::new(line.as_str()).ok().filter(|_| !stream.is_null()) else {
         eprint!("{line}");

@@ -10,6 +10,7 @@ mod control;
 mod description;
 mod error;
 mod fortran;
+mod function;
 mod input;
 mod inquiry;
 mod item;

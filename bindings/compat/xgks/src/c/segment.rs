@@ -1,9 +1,11 @@
 //! Segments.
 
-use super::argument::{Address, call, inquire, integer, list};
+use super::argument::{Address, call, call_as, inquire, integer, list};
 use super::control::kind;
+use super::function::SET_SEGMENT_ATTRIBUTES;
 use super::types::{Gchar, Gfloat, Gint, Gintlist, Gmatrix};
 use gks::{Detectability, Function, Gks, Highlighting, SegmentAttributes, Visibility};
+use gks_instance::Instance;
 
 /// The attributes of a segment, as a program hands them over and gets them.
 #[repr(C)]
@@ -69,7 +71,7 @@ extern "C" fn ginsertseg(name: Gint, matrix: Address<Gmatrix>) -> Gint {
 #[unsafe(no_mangle)]
 extern "C" fn gsetsegattr(name: Gint, attributes: Address<Gsegattr>) -> Gint {
     const F: Function = Function::SetSegmentTransformation;
-    call(F, |gks| {
+    call_as(Some(SET_SEGMENT_ATTRIBUTES), F, |Instance { gks, .. }| {
         let Gsegattr { segtran, vis, hilight, pri, det, .. } = attributes.get(F)?;
         gks.set_segment_transformation(name, segtran.map(|row| row.map(f64::from)))?;
         gks.set_visibility(name, if vis == 0 { Visibility::Visible } else { Visibility::Invisible })?;

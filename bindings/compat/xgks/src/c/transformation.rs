@@ -1,7 +1,7 @@
 //! Normalization and workstation transformations, clipping, and matrices for segments.
 
 use super::argument::{Address, call, choice};
-use super::types::{Gfloat, Gint, Glimit, Gmatrix, Gpoint};
+use super::types::{Gfloat, Gint, Glimit, Gmatrix, Gpoint, Promoted};
 use gks::{CoordinateSwitch, Function, RelativePriority};
 
 /// SET WINDOW.
@@ -62,7 +62,7 @@ fn coordinates(switch: Gint) -> Option<CoordinateSwitch> {
 extern "C" fn gevaltran(
     point: Address<Gpoint>,
     shift: Address<Gpoint>,
-    angle: Gfloat,
+    angle: Promoted,
     scale: Address<Gpoint>,
     coordinate_switch: Gint,
     result: Address<Gmatrix>,
@@ -71,7 +71,7 @@ extern "C" fn gevaltran(
     call(F, |gks| {
         let (fixed, shift): (Gpoint, Gpoint) = (point.get(F)?, shift.get(F)?);
         let (scale, switch) = (scale.get(F)?, choice(coordinates(coordinate_switch), F)?);
-        let rows = gks.evaluate_transformation_matrix(fixed, shift, angle.into(), scale, switch)?;
+        let rows = gks.evaluate_transformation_matrix(fixed, shift, angle, scale, switch)?;
         result.set(rows.map(|row| row.map(|v| v as Gfloat)));
         Ok(())
     })
@@ -83,7 +83,7 @@ extern "C" fn gaccumtran(
     matrix: Address<Gmatrix>,
     point: Address<Gpoint>,
     shift: Address<Gpoint>,
-    angle: Gfloat,
+    angle: Promoted,
     scale: Address<Gpoint>,
     coordinate_switch: Gint,
     result: Address<Gmatrix>,
@@ -93,7 +93,7 @@ extern "C" fn gaccumtran(
         let matrix = matrix.get(F)?.map(|row| row.map(f64::from));
         let (fixed, shift): (Gpoint, Gpoint) = (point.get(F)?, shift.get(F)?);
         let (scale, switch) = (scale.get(F)?, choice(coordinates(coordinate_switch), F)?);
-        let rows = gks.accumulate_transformation_matrix(matrix, fixed, shift, angle.into(), scale, switch)?;
+        let rows = gks.accumulate_transformation_matrix(matrix, fixed, shift, angle, scale, switch)?;
         result.set(rows.map(|row| row.map(|v| v as Gfloat)));
         Ok(())
     })

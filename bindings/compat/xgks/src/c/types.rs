@@ -12,6 +12,8 @@ pub(crate) type Gint = c_int;
 pub(crate) type Glong = c_int;
 pub(crate) type Gchar = c_char;
 pub(crate) type Gfloat = f32;
+/// A `Gfloat` that is an argument: XGKS has no prototypes, and without one C passes every real number as a double.
+pub(crate) type Promoted = f64;
 /// Thirteen flags, in the order of the standard.
 pub(crate) type Gasfs = [Gint; 13];
 /// A matrix of a segment transformation: two rows.

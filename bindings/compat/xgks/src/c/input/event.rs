@@ -1,7 +1,7 @@
 //! AWAIT EVENT, FLUSH DEVICE EVENTS, GET, pick identifiers, and what is inquired of the queue.
 
 use super::super::argument::{Address, call, choice, inquire};
-use super::super::types::{Gchar, Gchoice, Gevent, Gfloat, Gint, Gloc, Gpick, Gqueue, Gstroke};
+use super::super::types::{Gchar, Gchoice, Gevent, Gfloat, Gint, Gloc, Gpick, Gqueue, Gstroke, Promoted};
 use super::{allocated_stroke, real, set_string, string_room};
 use gks::{Function, InputClass};
 
@@ -10,10 +10,10 @@ const NO_CLASS: Gint = 0;
 
 /// AWAIT EVENT. A timeout without an event gives no input class.
 #[unsafe(no_mangle)]
-extern "C" fn gawaitevent(timeout: Gfloat, event: Address<Gevent>) -> Gint {
+extern "C" fn gawaitevent(timeout: Promoted, event: Address<Gevent>) -> Gint {
     event.set(Gevent { ws: 0, dev: 0, class: NO_CLASS });
     call(Function::AwaitEvent, |gks| {
-        if let Some((ws, class, dev)) = gks.await_event(timeout.into())? {
+        if let Some((ws, class, dev)) = gks.await_event(timeout)? {
             event.set(Gevent { ws, dev, class: class as Gint });
         }
         Ok(())

@@ -1,7 +1,7 @@
 //! INITIALISE and SET MODE.
 
 use super::super::argument::{Address, call, choice};
-use super::super::types::{Gchar, Gchoice, Gfloat, Gint, Glimit, Gloc, Gpick, Gstroke};
+use super::super::types::{Gchar, Gchoice, Gint, Glimit, Gloc, Gpick, Gstroke, Promoted};
 use super::record::{self, Gchoicerec, Glocrec, Gpickrec, Gstringrec, Gstrokerec, Gvalrec};
 use super::{NOTHING, OK};
 use gks::{DataRecord, Error, Function, Gks, InputStatus, OperatingMode};
@@ -73,7 +73,7 @@ extern "C" fn ginitstroke(
 extern "C" fn ginitval(
     ws_id: Gint,
     dev: Gint,
-    init: Gfloat,
+    init: Promoted,
     pet: Gint,
     area: Address<Glimit>,
     data: Address<Gvalrec>,
@@ -83,7 +83,7 @@ extern "C" fn ginitval(
         let area = echo_area(gks, ws_id, area, F)?;
         let Gvalrec { low, high, .. } = data.value().ok_or_else(|| no_record(F))?;
         let (low, high, none) = (low.into(), high.into(), DataRecord::default());
-        gks.initialise_valuator(ws_id, dev, init.into(), pet, area, low, high, &none)
+        gks.initialise_valuator(ws_id, dev, init, pet, area, low, high, &none)
     })
 }
 

@@ -4,95 +4,28 @@
 //! on as the integers and the real that they are.
 
 use super::super::argument::{Address, allocated, allocated_text, integer};
-use super::super::types::{Gchar, Gflbundl, Gfloat, Gint, Glnbundl, Gpoint};
+use super::super::types::{Gchar, Gfloat, Gint, Gpoint};
 use gks::DataRecord;
+use gks_instance::Controlled;
 use std::ptr::null_mut;
 
 /// Data of the implementation, which has none.
 type Data = *mut Gchar;
 
-/// Attributes of lines or markers, which are laid out alike: aspect source flags and an index, then a bundle.
-#[repr(C)]
-#[derive(Copy, Clone)]
-struct Line {
-    flags_and_index: [Gint; 4],
-    bundle: Glnbundl,
-}
-
-/// Attributes of areas.
-#[repr(C)]
-#[derive(Copy, Clone)]
-struct Fill {
-    flags_and_index: [Gint; 4],
-    bundle: Gflbundl,
-}
-
-#[repr(C)]
-#[derive(Copy, Clone)]
-union Attributes {
-    line: Line,
-    fill: Fill,
-}
-
-/// The value of an attribute control flag for attributes that are specified, and of the flag for areas.
-const SPECIFIED: Gint = 1;
+/// The value of the flag for areas.
 const FILL: Gint = 1;
-
-/// Attributes behind an attribute control flag.
-#[repr(C)]
-#[derive(Copy, Clone)]
-struct Controlled {
-    flag: Gint,
-    attributes: Attributes,
-}
 
 /// Attributes behind the flag that says whether they are those of lines or of areas.
 #[repr(C)]
 #[derive(Copy, Clone)]
 struct Chosen {
     line_or_fill: Gint,
-    controlled: Controlled,
+    controlled: Controlled<Gfloat>,
 }
 
-impl Controlled {
-    /// Adds the flag and the attributes, unless they are the current ones and need not be there.
-    fn read(&self, of_areas: bool, record: &mut DataRecord) {
-        record.integers.push(self.flag);
-        if self.flag != SPECIFIED {
-            return;
-        }
-        if of_areas {
-            // SAFETY: specified attributes of areas.
-            let Fill { flags_and_index, bundle } = unsafe { self.attributes.fill };
-            record.integers.extend(flags_and_index);
-            record.integers.extend([bundle.inter, bundle.style, bundle.colour]);
-        } else {
-            // SAFETY: specified attributes of lines or markers.
-            let Line { flags_and_index, bundle } = unsafe { self.attributes.line };
-            record.integers.extend(flags_and_index);
-            record.integers.extend([bundle.kind, bundle.colour]);
-            record.reals.push(bundle.width.into());
-        }
-    }
-
-    fn write(of_areas: bool, integers: &[Gint], reals: &[f64]) -> Controlled {
-        let at = |i: usize| integers.get(i).copied().unwrap_or(0);
-        let flags_and_index = [at(1), at(2), at(3), at(4)];
-        let attributes = if of_areas {
-            Attributes {
-                fill: Fill {
-                    flags_and_index,
-                    bundle: Gflbundl { inter: at(5), style: at(6), colour: at(7) },
-                },
-            }
-        } else {
-            let width = reals.first().map_or(0.0, |&width| width as Gfloat);
-            Attributes {
-                line: Line { flags_and_index, bundle: Glnbundl { kind: at(5), width, colour: at(6) } },
-            }
-        };
-        Controlled { flag: at(0), attributes }
-    }
+/// A number as the structures of XGKS have it.
+fn narrow(value: f64) -> Gfloat {
+    value as Gfloat
 }
 
 /// What a prompt and echo type needs, and data of the implementation.
@@ -113,7 +46,7 @@ fn with<T>(needs: T) -> With<T> {
 #[derive(Copy, Clone)]
 pub(super) union Glocrec {
     none: Data,
-    pet4: With<Controlled>,
+    pet4: With<Controlled<Gfloat>>,
     pet5: With<Chosen>,
 }
 
@@ -131,7 +64,7 @@ pub(super) struct Buffer {
 #[derive(Copy, Clone)]
 struct BufferAndAttributes {
     buffer: Buffer,
-    controlled: Controlled,
+    controlled: Controlled<Gfloat>,
 }
 
 /// A data record of a stroke device.
@@ -220,9 +153,9 @@ pub(super) fn locator(pet: Gint, data: Address<Glocrec>) -> DataRecord {
 /// The data of a record of a locator.
 pub(super) fn of_locator(pet: Gint, record: &DataRecord) -> Glocrec {
     match (pet, record.integers.as_slice()) {
-        (4, integers) => Glocrec { pet4: with(Controlled::write(false, integers, &record.reals)) },
+        (4, integers) => Glocrec { pet4: with(Controlled::write(false, integers, &record.reals, narrow)) },
         (5, [line_or_fill, rest @ ..]) => {
-            let controlled = Controlled::write(*line_or_fill == FILL, rest, &record.reals);
+            let controlled = Controlled::write(*line_or_fill == FILL, rest, &record.reals, narrow);
             Glocrec { pet5: with(Chosen { line_or_fill: *line_or_fill, controlled }) }
         }
         _ => Glocrec { none: NO_DATA },
@@ -251,7 +184,7 @@ pub(super) fn of_stroke(pet: Gint, size: Gint, record: &DataRecord) -> Gstrokere
     let buffer = Buffer { size, position, interval: Gpoint { x: real(0), y: real(1) }, time: real(2) };
     match (pet, record.integers.get(1..), record.reals.get(3..)) {
         (3 | 4, Some(integers), Some(reals)) => {
-            let controlled = Controlled::write(false, integers, reals);
+            let controlled = Controlled::write(false, integers, reals, narrow);
             Gstrokerec { pet3: with(BufferAndAttributes { buffer, controlled }) }
         }
         _ => Gstrokerec { buffer: with(buffer) },
