@@ -121,6 +121,9 @@ pub struct Word {
 /// The number of digits that a [`Word`] has room for.
 const DIGITS: u32 = 8;
 
+/// The character 0.
+const ZERO: u32 = 0x30;
+
 /// Eight times the character 0.
 const ZEROS: u64 = 0x3030_3030_3030_3030;
 
@@ -141,6 +144,34 @@ impl Word {
     pub const fn then_if(self, condition: bool, character: u8) -> Word {
         let character = character as u128 * condition as u128;
         Word { bytes: self.bytes | character << self.bits, bits: self.bits + 8 * condition as u32, ..self }
+    }
+
+    /// At most one character and a number of less than 1000 with 0 or 2 places, which fit into 8 bytes.
+    #[inline(always)]
+    pub(crate) fn short(decimal: Decimal, before: Option<u8>, steps: i64) -> Word {
+        let count = steps.unsigned_abs();
+        debug_assert!(matches!(decimal.places, 0 | 2) && count < 1000 * decimal.count() as u64);
+        let negative = u32::from(steps < 0);
+        let (before, mut bits) = before.map_or((0, 0), |character| (u64::from(character), 8));
+        let mut text = before | u64::from(b'-' as u32 * negative) << bits;
+        bits += 8 * negative;
+        let (integer, fraction) = match decimal.places {
+            0 => (INTEGERS[count as usize % 10_000], 0),
+            _ => (INTEGERS[count as usize / 100 % 10_000], FRACTIONS[count as usize % 100]),
+        };
+        let kept = u32::from(!decimal.bare | (fraction == 0) | (integer != ZERO));
+        text |= u64::from(integer * kept) << bits;
+        bits += length(integer) * kept;
+        text |= u64::from(fraction) << (bits & 63);
+        bits += length(fraction);
+        Word { bytes: text.into(), bits, fraction: fraction != 0 }
+    }
+
+    /// With another word of at most 8 characters behind it.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) const fn followed_by(self, next: Word) -> Word {
+        Word { bytes: self.bytes | next.bytes << self.bits, bits: self.bits + next.bits, ..next }
     }
 
     /// With a number given in steps; none if it has more than 8 digits.
@@ -358,6 +389,19 @@ mod tests {
                     format.write_steps(&mut fast, steps);
                     format.write_long(&mut slow, steps);
                     assert_eq!(fast, slow, "{steps} {format:?}");
+                }
+            }
+        }
+        for format in [Decimal::new(0), Decimal::new(2), Decimal::new(2).bare()] {
+            let shortest = 1000 * format.count();
+            for steps in (1 - shortest)..shortest {
+                for before in [None, Some(b' ')] {
+                    let start = before.map_or(Word::EMPTY, |before| Word::EMPTY.then(before));
+                    assert_eq!(
+                        Some(Word::short(format, before, steps)),
+                        start.number(format, steps),
+                        "{steps}"
+                    );
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::comparison::{Cell, Row};
-use crate::gate::{Gate, ROWS, gates, Measure};
+use crate::gate::{Gate, Measure, ROWS, gates};
 use crate::machine;
 use crate::peer::OURS;
 use std::fmt::Write;

@@ -36,6 +36,23 @@ enum Before {
     Fraction,
 }
 
+impl Before {
+    #[inline]
+    fn number(fraction: bool) -> Before {
+        if fraction { Before::Fraction } else { Before::Integer }
+    }
+
+    /// Whether a number given in steps, of which `one` make a unit, can follow without a space.
+    #[inline]
+    fn is_separate(self, steps: i64, one: i64) -> bool {
+        match self {
+            Before::Command => true,
+            Before::Integer => steps < 0,
+            Before::Fraction => (steps < 0) | ((steps > 0) & (steps < one)),
+        }
+    }
+}
+
 impl<'d> PathData<'d> {
     /// Starts path data with numbers written as `decimal` says.
     pub(super) fn new(document: &'d mut Document, decimal: Decimal) -> Self {
@@ -59,13 +76,19 @@ impl<'d> PathData<'d> {
 
     /// The letter of a command, if it must be written.
     #[inline]
-    fn command(&mut self, command: u8) -> Word {
+    fn letter(&mut self, command: u8) -> Option<u8> {
         if self.command == command {
-            return Word::EMPTY;
+            return None;
         }
         self.before = Before::Command;
         self.command = command;
-        Word::EMPTY.then(command)
+        Some(command)
+    }
+
+    /// [`PathData::letter`] as the begin of a word.
+    #[inline]
+    fn command(&mut self, command: u8) -> Word {
+        self.letter(command).map_or(Word::EMPTY, |letter| Word::EMPTY.then(letter))
     }
 
     /// Writes a number after `word`, separated from the number before only where it must be: not before a sign,
@@ -75,22 +98,19 @@ impl<'d> PathData<'d> {
         self.argument_as(word, self.decimal, steps);
     }
 
-    /// Two numbers that are usual in coordinates, as one word where they are short.
+    /// The letter of a command, if there is one, and two numbers, as one word where they are short.
     #[inline]
-    fn pair(&mut self, word: Word, x: i64, y: i64) {
-        let limit = if matches!(self.one, 1 | 100) { 10_000 * self.one } else { 0 };
+    fn pair(&mut self, letter: Option<u8>, x: i64, y: i64) {
+        let limit = if matches!(self.one, 1 | 100) { 1000 * self.one } else { 0 };
         if x.abs() < limit && y.abs() < limit {
-            let one = self.separated(word, self.one, x).number(self.decimal, x);
-            let two = one.and_then(|one| {
-                let is_separate = (y < 0) | (one.has_fraction() & (y > 0) & (y < self.one));
-                one.then_if(!is_separate, b' ').number(self.decimal, y)
-            });
-            if let Some(two) = two.filter(|two| two.fits()) {
-                two.write(&mut self.document.out);
-                self.before = if two.has_fraction() { Before::Fraction } else { Before::Integer };
-                return;
-            }
+            let space = |before: Before, steps: i64| (!before.is_separate(steps, self.one)).then_some(b' ');
+            let one = Word::short(self.decimal, letter.or_else(|| space(self.before, x)), x);
+            let two = Word::short(self.decimal, space(Before::number(one.has_fraction()), y), y);
+            one.followed_by(two).write(&mut self.document.out);
+            self.before = Before::number(two.has_fraction());
+            return;
         }
+        let word = letter.map_or(Word::EMPTY, |letter| Word::EMPTY.then(letter));
         self.argument(word, x);
         self.argument(Word::EMPTY, y);
     }
@@ -98,12 +118,7 @@ impl<'d> PathData<'d> {
     /// With a space if a number needs one before it.
     #[inline]
     fn separated(&self, word: Word, one: i64, steps: i64) -> Word {
-        let is_separate = match self.before {
-            Before::Command => true,
-            Before::Integer => steps < 0,
-            Before::Fraction => (steps < 0) | ((steps > 0) & (steps < one)),
-        };
-        word.then_if(!is_separate, b' ')
+        word.then_if(!self.before.is_separate(steps, one), b' ')
     }
 
     #[inline]
@@ -121,13 +136,13 @@ impl<'d> PathData<'d> {
                 steps % decimal.count() != 0
             }
         };
-        self.before = if fraction { Before::Fraction } else { Before::Integer };
+        self.before = Before::number(fraction);
     }
 
     /// Writes the displacement from the current point to a point, and goes there in relative coordinates.
     #[inline]
-    fn displacement(&mut self, word: Word, to: [i64; 2]) {
-        self.pair(word, to[0] - self.at[0], to[1] - self.at[1]);
+    fn displacement(&mut self, letter: Option<u8>, to: [i64; 2]) {
+        self.pair(letter, to[0] - self.at[0], to[1] - self.at[1]);
     }
 
     /// Whether the next step is to be an absolute one.
@@ -157,8 +172,8 @@ impl<'d> PathData<'d> {
             self.argument(Word::EMPTY, to[1]);
             self.command = b'L';
         } else {
-            let word = self.command(b'm');
-            self.displacement(word, to);
+            let letter = self.letter(b'm');
+            self.displacement(letter, to);
             self.command = b'l';
         }
         self.at = to;
@@ -192,8 +207,8 @@ impl<'d> PathData<'d> {
             let word = self.command(b'v');
             self.argument(word, dy);
         } else {
-            let word = self.command(b'l');
-            self.pair(word, dx, dy);
+            let letter = self.letter(b'l');
+            self.pair(letter, dx, dy);
         }
         self.at = to;
         Ok(())
@@ -232,7 +247,7 @@ impl<'d> PathData<'d> {
         self.argument_as(Word::EMPTY, FINE, FINE.steps(turn));
         self.argument(Word::EMPTY, 0);
         self.argument(Word::EMPTY, if onwards { self.one } else { 0 });
-        self.displacement(Word::EMPTY, to);
+        self.displacement(None, to);
         self.at = to;
         Ok(())
     }

@@ -299,7 +299,10 @@ fn formats_are_told_apart() {
 #[test]
 fn an_opcode_that_is_cut_off_ends_the_metafile() {
     let mut decoder = CharacterDecoder::new(&b"0 ??"[..]);
-    assert_eq!(decoder.next().expect("BEGIN METAFILE").map(|element| element.kind), Some(Kind::BeginMetafile));
+    assert_eq!(
+        decoder.next().expect("BEGIN METAFILE").map(|element| element.kind),
+        Some(Kind::BeginMetafile)
+    );
     assert_eq!(decoder.next().expect("the end"), None);
 }
 

@@ -286,6 +286,12 @@ impl Coding {
                         Value::Ink(Ink::Direct(gks_pipeline::colour::Colour::rgb(red, green, blue)))
                     }));
                 }
+                Parameter::Repeat([Parameter::Component]) => {
+                    // Components come three by three: the least ones and the greatest ones.
+                    while let Some(components) = operands.components(self.colour) {
+                        values.extend(components.map(Value::Real));
+                    }
+                }
                 Parameter::Repeat(group) => {
                     while !operands.is_empty() {
                         self.list(group, operands, values)?;
@@ -324,8 +330,6 @@ impl Coding {
             Parameter::DirectColour => Value::Ink(self.direct(self.colour, operands)?),
             Parameter::Colour if modes.direct => Value::Ink(self.direct(self.colour, operands)?),
             Parameter::Colour => self.single(Parameter::ColourIndex, operands)?,
-            // Components come three by three; what they say is what the precision says.
-            Parameter::Component => return None,
             Parameter::LineWidth => Value::Real(size(modes.line_width, operands)?),
             Parameter::MarkerSize => Value::Real(size(modes.marker_size, operands)?),
             Parameter::EdgeWidth => Value::Real(size(modes.edge_width, operands)?),
