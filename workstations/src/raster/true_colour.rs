@@ -142,10 +142,11 @@ impl TrueColour {
         let raster = self.raster();
         let mut put = |row: i32, from: i32, to: i32, covered: u8| {
             let line = canvas.span(row as usize, from as usize..to as usize);
-            if covered == 255 && above[3] == 255 {
-                line.fill(above);
-            } else {
-                line.iter_mut().for_each(|below| over(below, above, covered));
+            match line {
+                // Most runs are a pixel of the boundary.
+                [below] => over(below, above, covered),
+                _ if covered == 255 && above[3] == 255 => line.fill(above),
+                _ => line.iter_mut().for_each(|below| over(below, above, covered)),
             }
         };
         if !self.antialias {
