@@ -7,7 +7,10 @@
 //! that the dashes keep their phase; text becomes outlines before it is clipped.
 
 use crate::colour::Paint;
-use crate::device::{Device, DeviceError, Drawn, Fill, Form, Glyph, Mark, Pen, Rule, Surface};
+use crate::device::{
+    Device, DeviceError, Drawn, Fill, Form, Glyph, Mark, MarkerStyle, Palette, Pen, Rule, StrokeCharacter,
+    Surface,
+};
 use crate::font::Layout;
 use crate::item::{Cells, Curve, Item, Parallelogram, Role, Shape};
 use crate::look::{Cap, InteriorStyle, Join, Look};
@@ -16,7 +19,7 @@ use crate::tables::Tables;
 use gks_algorithms as algorithms;
 use gks_algorithms::clip::sutherland_hodgman;
 use gks_algorithms::fill::Hatch;
-use gks_geometry::{Du, LongLine, Map, Ndc, PathBuf, Paths, Rect};
+use gks_geometry::{Du, LongLine, Map, Ndc, PathBuf, Paths, Point, Rect};
 use glam::DVec2;
 
 /// The most dashes that one polyline is cut into; beyond, it is drawn solid.
@@ -36,6 +39,7 @@ pub struct Painter {
     paints: Vec<Paint>,
     pub(crate) layout: Layout,
     pub(crate) glyphs: Vec<Glyph>,
+    pub(crate) characters: Vec<StrokeCharacter>,
 }
 
 /// Where an item is painted: a device with the transformation and the tables of its workstation.
@@ -203,20 +207,34 @@ impl Painter {
         let window = canvas.clip_map.rect(&canvas.window);
         let mut mapped = std::mem::take(&mut self.mapped);
         mapped.clear();
-        let inside = |p: &DVec2| clip.contains(gks_geometry::Point::from_vec(*p));
+        let inside = |p: &DVec2| clip.contains(Point::from_vec(*p));
         mapped.add(positions.iter().map(|&p| canvas.map.0.transform_point2(p)).filter(inside));
-        let mut done = Ok(());
-        if let Some(bounds) = mapped.as_paths().bounds() {
-            let whole = window.contains_rect(&bounds.grown(style.size * 0.5));
-            let offered = Form::Markers(&mapped.points, style);
-            done = match canvas.offer(offered, (!whole).then_some(window)) {
-                Ok(Drawn::Yes) => Ok(()),
-                Ok(Drawn::No) => lower::marker::draw(self, &mapped.points, &style, &window, canvas),
-                Err(error) => Err(error),
-            };
-        }
+        let done = self.markers(&mut mapped.points, &style, &window, canvas);
         self.mapped = mapped;
         done
+    }
+
+    /// Draws markers, cut at the window. A device that draws only whole ones gets those that are: the few that
+    /// cross the edge are no reason to make lines of all of them. The order of the positions may change.
+    fn markers(
+        &mut self,
+        positions: &mut [DVec2],
+        style: &MarkerStyle,
+        window: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<(), DeviceError> {
+        let Some(bounds) = Paths::<Du>::new(positions, &[]).bounds() else { return Ok(()) };
+        let whole = window.contains_rect(&bounds.grown(style.size * 0.5));
+        if canvas.offer(Form::Markers(positions, *style), (!whole).then_some(*window))? == Drawn::Yes {
+            return Ok(());
+        }
+        let inner = window.grown(-style.size * 0.5);
+        let count = if whole { 0 } else { partition(positions, |p| inner.contains(Point::from_vec(p))) };
+        let (within, crossing) = positions.split_at(count);
+        if count > 0 && canvas.offer(Form::Markers(within, *style), None)? == Drawn::Yes {
+            return lower::marker::draw(self, crossing, style, window, canvas);
+        }
+        lower::marker::draw(self, positions, style, window, canvas)
     }
 
     fn fill_area(
@@ -363,8 +381,12 @@ impl Painter {
             Visibility::Whole => None,
             Visibility::Crossing => Some(*clip),
         };
+        let palette = Palette { tables: canvas.tables };
+        if canvas.offer(Form::IndexedCells(place, *cells, palette), clip_at)? == Drawn::Yes {
+            return Ok(());
+        }
         let mut paints = std::mem::take(&mut self.paints);
-        lower::cells::paints(cells, canvas.tables, &mut paints);
+        lower::cells::paints(cells, &palette, &mut paints);
         let grid = crate::device::Grid { paints: &paints, columns: cells.columns, rows: cells.rows };
         let done = match canvas.offer(Form::Cells(place, grid), clip_at) {
             Ok(Drawn::No) => lower::cells::draw(self, &place, &grid, clip, canvas),
@@ -410,6 +432,18 @@ impl Painter {
         self.dash = dash;
         result
     }
+}
+
+/// Brings the points for which `is_first` holds before the others, and tells how many they are.
+fn partition(points: &mut [DVec2], is_first: impl Fn(DVec2) -> bool) -> usize {
+    let mut count = 0;
+    for i in 0..points.len() {
+        if is_first(points[i]) {
+            points.swap(i, count);
+            count += 1;
+        }
+    }
+    count
 }
 
 /// An unclipped solid polyline may not be refused.

@@ -40,7 +40,7 @@ impl Device for Recorder {
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         let copy = |paths: &Paths<'_, _>| paths.iter().map(<[DVec2]>::to_vec).collect::<Vec<_>>();
         let (kind, paths, colour, width) = match &mark.form {
-            Form::LongLine(..) => return Ok(Drawn::No),
+            Form::LongLine(..) | Form::StrokeText(_) | Form::IndexedCells(..) => return Ok(Drawn::No),
             Form::Lines(paths, pen) if pen.dash.is_empty() => {
                 ("lines", copy(paths), pen.paint.index, pen.width)
             }

@@ -2,7 +2,7 @@
 //! algorithms pixel by pixel, and image files with a palette.
 
 use super::aliased::{Aliased, WIDE, rule};
-use super::cells::{self, CellMap};
+use super::cells::{self, CellMap, Extent};
 use super::clip::Window;
 use super::describe::{Layout, SizeError};
 use super::encode::{self, Care, Format, Samples};
@@ -17,7 +17,6 @@ use gks_pipeline::device::{
 };
 use gks_pipeline::item::{Closure, Curve, Ellipse, Parallelogram};
 use glam::IVec2;
-use std::cell::RefCell;
 use std::f64::consts::TAU;
 
 /// A frame buffer of 8-bit colour indices, which may be written as an image file for each page.
@@ -110,21 +109,26 @@ impl Indexed {
     }
 
     fn cells(&mut self, frame: &Parallelogram<Du>, grid: &Grid<'_>, clip: Option<Rect<Du>>) {
+        if grid.columns.checked_mul(grid.rows).is_none_or(|count| count > grid.paints.len()) {
+            return;
+        }
         let window = self.window(clip).centred();
         let width = self.layout.width as usize;
-        let (table, pixels) = (RefCell::new(&mut self.table), RefCell::new(&mut self.pixels));
-        cells::draw(
-            window,
-            frame,
-            grid,
-            |paint| table.borrow_mut().index(paint),
-            |column, row, index| pixels.borrow_mut()[row as usize * width + column as usize] = index,
-            |columns, row| {
-                let before = (row as usize - 1) * width + columns.start as usize;
-                pixels.borrow_mut().copy_within(before..before + columns.len(), before + width);
-                true
-            },
-        );
+        let Indexed { table, pixels, .. } = self;
+        let mut held = (usize::MAX, 0);
+        let extent = Extent { columns: grid.columns, rows: grid.rows, stride: grid.columns };
+        cells::lines(window, frame, extent, |line| {
+            let at = line.pixels(width);
+            if line.again {
+                return pixels.copy_within(at.start - width..at.end - width, at.start);
+            }
+            for (pixel, place) in pixels[at].iter_mut().zip(line.places()) {
+                if place != held.0 {
+                    held = (place, table.index(&grid.paints[place]));
+                }
+                *pixel = held.1;
+            }
+        });
     }
 
     /// Draws a full ellipse one pixel wide.
