@@ -63,7 +63,7 @@ impl Bounds {
             }
             Form::Text(run) => self.text(run),
             Form::Cells(place, _) | Form::IndexedCells(place, ..) => {
-                place.corners().iter().for_each(|corner| self.point(corner.0))
+                place.corners().iter().for_each(|corner| self.point(corner.0));
             }
             Form::StrokeText(run) => {
                 let mut strokes = PathBuf::new();

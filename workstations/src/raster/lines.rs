@@ -5,13 +5,14 @@
 
 use super::bitmap::Bitmap;
 use super::composite::{Ink, Pixel, over, pixel};
+use super::lone::Lone;
 use super::stroke::{Stroke, settled};
 use gks_algorithms::coverage::SampleMask;
 use gks_algorithms::line::m4;
 use gks_algorithms::rect::IRect;
 use gks_geometry::{Du, Paths};
 use gks_pipeline::device::Pen;
-use gks_pipeline::look::{Cap, Join};
+use gks_pipeline::look::Join;
 use glam::{DVec2, IVec2};
 
 /// How far vertices that are left out may be from the line drawn, in pixels: the distance of samples.
@@ -24,9 +25,6 @@ const SHORT: usize = 4096;
 /// The most pixels for which samples are kept at a time: 16 MiB of them.
 const BAND: usize = 1 << 21;
 
-/// The widest line that is drawn by [`lone`], in pixels.
-const WIDEST_LONE: f64 = 2.0;
-
 /// The width that a line is drawn with: a pixel at least, unless it is meant to be fainter.
 fn visible_width(width: f64) -> f64 {
     if (0.5..1.0).contains(&width) { 1.0 } else { width.max(0.0) }
@@ -36,11 +34,12 @@ fn visible_width(width: f64) -> f64 {
 pub(super) struct Lines {
     mask: SampleMask,
     stroke: Stroke,
+    lone: Lone,
 }
 
 impl Lines {
     pub(super) fn new() -> Self {
-        Lines { mask: SampleMask::new(), stroke: Stroke::new() }
+        Lines { mask: SampleMask::new(), stroke: Stroke::new(), lone: Lone::new() }
     }
 
     /// Draws paths with a pen.
@@ -50,19 +49,12 @@ impl Lines {
         let strength = if width > 0.0 { (width.min(1.0) * 255.0).round() as u8 } else { 255 };
         let (columns, rows) = bitmap.size();
         let raster = IRect::of_size(columns as i32, rows as i32);
+        let ink = Ink::new(pixel(pen.paint.colour), strength);
         if let (&[a, b], &[_]) = (paths.points, paths.ends)
-            && pen.cap != Cap::Round
-            && lone(
-                bitmap,
-                (settled(a), settled(b)),
-                width.max(1.0),
-                pen.cap,
-                (pixel(pen.paint.colour), strength),
-            )
+            && self.lone.draw(bitmap, (settled(a), settled(b)), width.max(1.0), pen.cap, &ink)
         {
             return;
         }
-        let ink = Ink::new(pixel(pen.paint.colour), strength);
         self.stroke.begin(width.max(1.0), pen.cap, pen.join);
         let window = self.window(paths, raster);
         if window.is_empty() {
@@ -104,7 +96,7 @@ impl Lines {
     /// Adds the samples of paths on a raster of so many columns.
     fn follow(&mut self, paths: Paths<'_, Du>, columns: u32) {
         let dense = DENSE * columns as usize;
-        let Lines { mask, stroke } = self;
+        let Lines { mask, stroke, .. } = self;
         let mut polygon = |ring: &[DVec2]| mask.polygon(ring);
         for path in paths.iter() {
             if path.len() > dense {
@@ -145,53 +137,11 @@ impl Once<'_> {
     }
 }
 
-/// Draws one segment that lies inside of the bitmap, by how much of each pixel the line covers across its main
-/// direction; `false` if that is not the way to draw it.
-fn lone(
-    bitmap: &mut Bitmap,
-    (a, b): (DVec2, DVec2),
-    width: f64,
-    cap: Cap,
-    (above, strength): (Pixel, u8),
-) -> bool {
-    let along = b - a;
-    let length = along.length();
-    let (columns, rows) = bitmap.size();
-    let (low, high) = (a.min(b) - 2.0 * width, a.max(b) + 2.0 * width);
-    let inside = low.min_element() >= 0.0 && high.x < f64::from(columns) && high.y < f64::from(rows);
-    if !(inside && width <= WIDEST_LONE && length >= 1.0) {
-        return false;
-    }
-    let steep = along.y.abs() > along.x.abs();
-    let turned = |p: DVec2| if steep { DVec2::new(p.y, p.x) } else { p };
-    let (from, to) = (turned(a), turned(b));
-    let (from, to) = if from.x <= to.x { (from, to) } else { (to, from) };
-    let run = to.x - from.x;
-    let slope = (to.y - from.y) / run;
-    let longer = if cap == Cap::Projecting { 0.5 * width * run / length } else { 0.0 };
-    let (start, end) = (from.x - longer, to.x + longer);
-    let half = 0.5 * width * length / run;
-    let (step, cross) = if steep { (columns as usize, 1) } else { (1, columns as usize) };
-    let pixels = bitmap.pixels_mut();
-    let weight = f64::from(strength);
-    for main in start as usize..=end as usize {
-        let (left, right) = (start.max(main as f64), end.min(main as f64 + 1.0));
-        let middle = from.y + ((left + right) * 0.5 - from.x) * slope;
-        let (top, bottom) = (middle - half, middle + half);
-        let part = (right - left) * weight;
-        let line = &mut pixels[main * step..];
-        for at in top as usize..=bottom as usize {
-            let covered = bottom.min(at as f64 + 1.0) - top.max(at as f64);
-            over(&mut line[at * cross], above, (covered * part + 0.5) as u8);
-        }
-    }
-    true
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use gks_pipeline::colour::{Colour, Paint};
+    use gks_pipeline::look::Cap;
 
     const BLACK: Paint = Paint { colour: Colour::BLACK, index: 1 };
 
@@ -229,12 +179,16 @@ mod tests {
 
     #[test]
     fn a_lone_segment_looks_like_one_of_many() {
-        for end in [(80.2, 31.7), (40.9, 88.8), (20.3, 60.1), (71.4, 20.2)] {
-            let (a, b) = (DVec2::new(20.3, 20.8), DVec2::from(end));
-            let lone = drawn(&[a, b], BLACK, 1.0, Cap::Butt, Join::Bevel);
-            let many = drawn(&[a, a.lerp(b, 0.4), b], BLACK, 1.0, Cap::Butt, Join::Bevel);
-            let far = lone.iter().zip(&many).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
-            assert!(far < 0.3, "{b}: {far}");
+        for end in [(80.2, 31.7), (40.9, 88.8), (20.3, 60.1), (71.4, 20.2), (23.1, 22.9), (13.3, 14.2)] {
+            for (cap, width) in
+                [(Cap::Butt, 1.0), (Cap::Round, 1.0), (Cap::Projecting, 1.0), (Cap::Round, 1.9)]
+            {
+                let (a, b) = (DVec2::new(20.3, 20.8), DVec2::from(end));
+                let lone = drawn(&[a, b], BLACK, width, cap, Join::Bevel);
+                let many = drawn(&[a, a.lerp(b, 0.4), b], BLACK, width, cap, Join::Bevel);
+                let far = lone.iter().zip(&many).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+                assert!(far < 0.15, "{b} {cap:?} {width}: {far}");
+            }
         }
     }
 

@@ -7,6 +7,7 @@ use super::clip::Window;
 use super::composite::{Pixel, colour, over, pixel};
 use super::describe::{Layout, SizeError};
 use super::encode::{self, Care, Format, Samples};
+use super::letters::Letters;
 use super::lines::Lines;
 use super::markers::Markers;
 use super::pattern;
@@ -28,8 +29,8 @@ const LAST_DIGITS: f64 = 1e-6;
 
 /// A frame buffer of colours, which may be written as an image file for each page.
 ///
-/// It draws solid lines, markers, areas, patterns and cells; what is left to the pipeline is text, dashes, curves, and the
-/// exact clipping of everything but cells and patterns.
+/// It draws solid lines, markers, characters of stroke fonts, areas, patterns and cells; what is left to the pipeline are
+/// other characters, dashes, curves, and the exact clipping of everything but cells and patterns.
 pub struct TrueColour {
     layout: Layout,
     surface: Surface,
@@ -43,6 +44,7 @@ pub struct TrueColour {
     output: Option<(Box<dyn Sink>, Format)>,
     lines: Lines,
     markers: Markers,
+    letters: Letters,
     areas: AreaMask,
     aliased: Aliased,
 }
@@ -89,6 +91,7 @@ impl TrueColour {
             output,
             lines: Lines::new(),
             markers: Markers::new(),
+            letters: Letters::new(),
             areas: AreaMask::new(),
             aliased: Aliased::new(),
         })
@@ -286,6 +289,11 @@ impl Device for TrueColour {
                 if self.antialias && Markers::can(style) && self.leaves_all(clip) =>
             {
                 self.markers.draw(&mut lock(&self.canvas), positions, style);
+            }
+            (Form::StrokeText(text), clip)
+                if self.antialias && Letters::can(text) && self.leaves_all(clip) =>
+            {
+                self.letters.draw(&mut lock(&self.canvas), text);
             }
             (Form::Cells(frame, grid), clip) => {
                 self.cells(frame, grid, &Window::new(clip, width, height, self.antialias));
