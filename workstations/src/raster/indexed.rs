@@ -10,7 +10,7 @@ use super::look_up_table::LookUpTable;
 use crate::options::Options;
 use gks_algorithms::rect::IRect;
 use gks_algorithms::{circle, ellipse, path};
-use gks_geometry::{Du, Paths, Rect};
+use gks_geometry::{Du, LongLine, Paths, Rect};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::device::{
     Device, DeviceError, Drawn, Fill, Form, FrameBuffer, Grid, Mark, Page, Pen, Sink, Surface,
@@ -72,6 +72,14 @@ impl Indexed {
         let index = self.table.index(&pen.paint);
         let (pixels, width) = (&mut self.pixels, self.layout.width as usize);
         self.aliased.lines(paths, pen, &self.surface.extent(), |row, from, to| {
+            pixels[row as usize * width..][from as usize..to as usize].fill(index);
+        });
+    }
+
+    fn long_line(&mut self, line: &LongLine<'_, Du>, pen: &Pen<'_>) {
+        let index = self.table.index(&pen.paint);
+        let (pixels, width) = (&mut self.pixels, self.layout.width as usize);
+        self.aliased.long_line(line, pen, &self.surface.extent(), |row, from, to| {
             pixels[row as usize * width..][from as usize..to as usize].fill(index);
         });
     }
@@ -183,6 +191,7 @@ impl Device for Indexed {
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         match (&mark.form, mark.clip) {
             (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(*paths, pen),
+            (Form::LongLine(line, pen), None) if pen.dash.is_empty() => self.long_line(line, pen),
             (Form::Area(rings, by, Fill::Solid(paint)), None) => {
                 let index = self.table.index(paint);
                 self.area(*rings, rule(*by), index);

@@ -8,12 +8,13 @@ use super::composite::{Ink, Pixel, over, pixel};
 use super::lone::Lone;
 use super::stroke::{Stroke, settled};
 use gks_algorithms::coverage::SampleMask;
-use gks_algorithms::line::m4;
+use gks_algorithms::line::{M4, m4};
 use gks_algorithms::rect::IRect;
-use gks_geometry::{Du, Paths};
+use gks_geometry::{Du, LongLine, PathBuf, Paths, Pieces};
 use gks_pipeline::device::Pen;
 use gks_pipeline::look::Join;
 use glam::{DVec2, IVec2};
+use std::convert::Infallible;
 
 /// How far vertices that are left out may be from the line drawn, in pixels: the distance of samples.
 const TOLERANCE: f64 = 0.125;
@@ -25,9 +26,13 @@ const SHORT: usize = 4096;
 /// The most pixels for which samples are kept at a time: 16 MiB of them.
 const BAND: usize = 1 << 21;
 
-/// The width that a line is drawn with: a pixel at least, unless it is meant to be fainter.
-fn visible_width(width: f64) -> f64 {
-    if (0.5..1.0).contains(&width) { 1.0 } else { width.max(0.0) }
+/// The width and the ink that a line is drawn with: as wide as a pixel at least, and fainter if it is meant to be thinner
+/// than half of that, so that it looks alike at any place.
+fn visible(pen: &Pen<'_>) -> (f64, Ink) {
+    let width = if (0.5..1.0).contains(&pen.width) { 1.0 } else { pen.width.max(0.0) };
+    let width = settled(DVec2::splat(width)).x;
+    let strength = if width > 0.0 { (width.min(1.0) * 255.0).round() as u8 } else { 255 };
+    (width.max(1.0), Ink::new(pixel(pen.paint.colour), strength))
 }
 
 /// Draws antialiased lines; owns the storage for that.
@@ -44,19 +49,36 @@ impl Lines {
 
     /// Draws paths with a pen.
     pub(super) fn draw(&mut self, bitmap: &mut Bitmap, paths: Paths<'_, Du>, pen: &Pen<'_>) {
-        let width = settled(DVec2::splat(visible_width(pen.width))).x;
-        // Lines fainter than a pixel are a pixel wide and translucent, so that they look alike at any place.
-        let strength = if width > 0.0 { (width.min(1.0) * 255.0).round() as u8 } else { 255 };
+        let (width, ink) = visible(pen);
         let (columns, rows) = bitmap.size();
         let raster = IRect::of_size(columns as i32, rows as i32);
-        let ink = Ink::new(pixel(pen.paint.colour), strength);
         if let (&[a, b], &[_]) = (paths.points, paths.ends)
-            && self.lone.draw(bitmap, (settled(a), settled(b)), width.max(1.0), pen.cap, &ink)
+            && self.lone.draw(bitmap, (settled(a), settled(b)), width, pen.cap, &ink)
         {
             return;
         }
-        self.stroke.begin(width.max(1.0), pen.cap, pen.join);
+        self.stroke.begin(width, pen.cap, pen.join);
         let window = self.window(paths, raster);
+        self.fill(bitmap, window, &ink, |lines| lines.follow(paths, columns));
+    }
+
+    /// Draws a line with a pen, without holding its points.
+    pub(super) fn draw_long(&mut self, bitmap: &mut Bitmap, line: &LongLine<'_, Du>, pen: &Pen<'_>) {
+        if !line.is_whole() || line.len() <= SHORT {
+            let mut paths = PathBuf::new();
+            paths.add_pieces(line);
+            return self.draw(bitmap, paths.as_paths(), pen);
+        }
+        let (width, ink) = visible(pen);
+        let (columns, rows) = bitmap.size();
+        self.stroke.begin(width, pen.cap, pen.join);
+        self.fill(bitmap, IRect::of_size(columns as i32, rows as i32), &ink, |lines| {
+            lines.follow_long(line, columns);
+        });
+    }
+
+    /// Puts ink over the samples that `follow` adds.
+    fn fill(&mut self, bitmap: &mut Bitmap, window: IRect, ink: &Ink, mut follow: impl FnMut(&mut Self)) {
         if window.is_empty() {
             return;
         }
@@ -65,7 +87,7 @@ impl Lines {
         for top in (window.min.y..window.max.y).step_by(band as usize) {
             let bottom = window.max.y.min(top.saturating_add(band));
             self.mask.begin(IRect::new(IVec2::new(window.min.x, top), IVec2::new(window.max.x, bottom)));
-            self.follow(paths, columns);
+            follow(self);
             self.mask.drain(|row, column, words| {
                 let columns = column as usize..column as usize + words.len();
                 ink.over_all(bitmap.span(row as usize, columns), words);
@@ -100,8 +122,7 @@ impl Lines {
         let mut polygon = |ring: &[DVec2]| mask.polygon(ring);
         for path in paths.iter() {
             if path.len() > dense {
-                // Of the needles that miters make of a line that goes to and fro most would be left out.
-                let join = stroke.replace_join(|join| if join == Join::Miter { Join::Bevel } else { join });
+                let join = stroke.replace_join(without_needles);
                 m4(path.iter().copied(), TOLERANCE, |p| stroke.to(p, &mut polygon));
                 stroke.end(&mut polygon);
                 stroke.replace_join(|_| join);
@@ -113,6 +134,35 @@ impl Lines {
             stroke.end(&mut polygon);
         }
     }
+
+    /// Adds the samples of a line that is one path.
+    fn follow_long(&mut self, line: &LongLine<'_, Du>, columns: u32) {
+        let is_dense = line.len() > DENSE * columns as usize;
+        let Lines { mask, stroke, .. } = self;
+        let mut polygon = |ring: &[DVec2]| mask.polygon(ring);
+        let join = stroke.replace_join(|join| if is_dense { without_needles(join) } else { join });
+        let mut m4 = M4::new(TOLERANCE);
+        let done = line.pieces::<Infallible>(|piece| {
+            if is_dense {
+                piece.points.iter().for_each(|&p| m4.to(p, &mut |p| stroke.to(p, &mut polygon)));
+            } else {
+                piece.points.iter().for_each(|&p| stroke.to(p, &mut polygon));
+            }
+            Ok(())
+        });
+        let Ok(()) = done;
+        if is_dense {
+            m4.end(&mut |p| stroke.to(p, &mut polygon));
+        }
+        stroke.end(&mut polygon);
+        stroke.replace_join(|_| join);
+    }
+}
+
+/// How corners of a line are joined from which vertices are left out: of the needles that miters make of one that goes to and
+/// fro most would be left out.
+fn without_needles(join: Join) -> Join {
+    if join == Join::Miter { Join::Bevel } else { join }
 }
 
 /// Pixels to be drawn together.

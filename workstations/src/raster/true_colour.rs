@@ -15,7 +15,7 @@ use crate::options::Options;
 use gks_algorithms::coverage::AreaMask;
 use gks_algorithms::path;
 use gks_algorithms::rect::IRect;
-use gks_geometry::{Du, Paths, Rect};
+use gks_geometry::{Du, LongLine, PathBuf, Paths, Rect};
 use gks_pipeline::colour::{Colour, Paint};
 use gks_pipeline::device::{
     Device, DeviceError, Drawn, Fill, Form, FrameBuffer, Grid, Mark, Page, Palette, Pen, Rule, Sink, Surface,
@@ -136,6 +136,15 @@ impl TrueColour {
             self.aliased.lines(paths, pen, &surface, |row, from, to| once.span(row, from, to));
             once.draw(&mut canvas, above);
         }
+    }
+
+    fn long_line(&mut self, line: &LongLine<'_, Du>, pen: &Pen<'_>) {
+        if self.antialias {
+            return self.lines.draw_long(&mut lock(&self.canvas), line, pen);
+        }
+        let mut paths = PathBuf::new();
+        paths.add_pieces(line);
+        self.lines(paths.as_paths(), pen);
     }
 
     /// Fills rings with one colour.
@@ -281,6 +290,7 @@ impl Device for TrueColour {
         let (width, height) = (self.layout.width, self.layout.height);
         match (&mark.form, mark.clip) {
             (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(*paths, pen),
+            (Form::LongLine(line, pen), None) if pen.dash.is_empty() => self.long_line(line, pen),
             (Form::Area(rings, by, Fill::Solid(paint)), None) => self.area(*rings, *by, paint),
             (Form::Area(rings, by, Fill::Pattern(frame, grid)), clip) => {
                 self.pattern((*rings, rule(*by)), clip, (frame, grid));

@@ -20,7 +20,7 @@ mod sklansky_gonzalez;
 pub use bresenham::bresenham;
 pub use dash::dash;
 pub use dda::dda;
-pub use m4::m4;
+pub use m4::{M4, m4};
 pub use sklansky_gonzalez::sklansky_gonzalez;
 
 #[cfg(test)]
