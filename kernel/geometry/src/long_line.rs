@@ -1,7 +1,8 @@
 //! Polylines in pieces: long ones are never held as a whole.
 
 use crate::{Map, Ndc, Paths, Point, Points, Rect, Space, Wc};
-use glam::DVec2;
+use glam::{DMat2, DVec2};
+use std::convert::Infallible;
 use std::marker::PhantomData;
 
 /// The most points of a long line that are mapped before they are handed on.
@@ -39,74 +40,148 @@ pub struct LongLine<'a, S: Space> {
     points: Points<'a>,
     normalization: Map<Wc, Ndc>,
     map: Map<Ndc, S>,
+    /// The bounds of all points in world coordinates, if all of them are finite.
+    whole: Option<Rect<Wc>>,
     space: PhantomData<S>,
 }
 
 impl<'a> LongLine<'a, Ndc> {
     /// The image of points under a normalization transformation.
     pub fn new(points: Points<'a>, normalization: Map<Wc, Ndc>) -> Self {
-        LongLine { points, normalization, map: Map::IDENTITY, space: PhantomData }
+        LongLine { points, normalization, map: Map::IDENTITY, whole: points.bounds(), space: PhantomData }
     }
 
     /// The line in another space.
     pub fn mapped<S: Space>(&self, map: &Map<Ndc, S>) -> LongLine<'a, S> {
-        LongLine { points: self.points, normalization: self.normalization, map: *map, space: PhantomData }
+        let LongLine { points, normalization, whole, .. } = *self;
+        LongLine { points, normalization, map: *map, whole, space: PhantomData }
     }
 }
 
 impl<S: Space> LongLine<'_, S> {
-    /// Calls `each` with every point in turn; with none where the line is broken.
+    /// The number of points.
+    pub fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Whether there is no point.
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty()
+    }
+
+    /// Whether all points are finite, so that the line is one path.
+    pub fn is_whole(&self) -> bool {
+        // What lies between two finite points has a finite image, too.
+        self.whole.is_some_and(|bounds| bounds.corners().iter().all(|&p| self.image(p.0).is_some()))
+    }
+
+    /// A point of the line; none if there is no such point or it is not finite.
+    pub fn point(&self, index: usize) -> Option<DVec2> {
+        let mut point = [DVec2::ZERO];
+        self.points.part(index..index + 1).map_to(|p| p, &mut point);
+        if index < self.len() { self.image(point[0]) } else { None }
+    }
+
+    /// The image of a point, if it is finite in NDC.
     ///
     /// The maps are not fused: points come out bit for bit as those do that are kept in NDC in between.
     #[inline]
-    fn walk(&self, mut each: impl FnMut(Option<DVec2>)) {
-        let (normalization, map) = (self.normalization.0, self.map.0);
-        self.points.for_each(|p| {
-            let p = normalization.transform_point2(p);
-            each(p.is_finite().then(|| map.transform_point2(p)));
-        });
+    fn image(&self, p: DVec2) -> Option<DVec2> {
+        let p = self.normalization.0.transform_point2(p);
+        p.is_finite().then(|| self.map.0.transform_point2(p))
     }
 
     /// The smallest rectangle around all points, or none if there is no point.
     pub fn bounds(&self) -> Option<Rect<S>> {
+        let (normalization, map) = (&self.normalization.0.matrix2, &self.map.0.matrix2);
+        let upright = |m: &DMat2| m.x_axis.y == 0.0 && m.y_axis.x == 0.0;
+        if let Some(whole) = self.whole
+            && upright(normalization)
+            && upright(map)
+            && self.is_whole()
+        {
+            // Rounding keeps the order of numbers, so the extremes are images of extremes.
+            return Rect::around([whole.min, whole.max].map(|p| self.map.point(self.normalization.point(p))));
+        }
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-        self.walk(|p| {
-            if let Some(p) = p {
-                low = low.min(p);
-                high = high.max(p);
+        let done = self.pieces::<Infallible>(|piece| {
+            for &p in piece.points {
+                (low, high) = (low.min(p), high.max(p));
             }
+            Ok(())
         });
+        let Ok(()) = done;
         (low.x <= high.x).then(|| Rect { min: Point::from_vec(low), max: Point::from_vec(high) })
     }
+
+    /// Gives the parts of points that are broken somewhere; `starts` tells whether a path starts with the first of them, and
+    /// afterwards with the one after the last.
+    #[cold]
+    fn broken<E>(
+        &self,
+        points: Points<'_>,
+        goes_on: bool,
+        starts: &mut bool,
+        each: &mut impl FnMut(Piece<'_>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut path = Vec::new();
+        let mut images = Vec::with_capacity(points.len());
+        points.for_each(|p| images.push(self.image(p)));
+        for image in images.into_iter().chain((!goes_on).then_some(None)) {
+            match image {
+                Some(p) => path.push(p),
+                None => {
+                    give(&path, *starts, true, each)?;
+                    path.clear();
+                    *starts = true;
+                }
+            }
+        }
+        give(&path, *starts, false, each)?;
+        *starts &= path.is_empty();
+        Ok(())
+    }
+}
+
+/// Hands a piece on, unless it is a path of a single point or has none.
+fn give<E>(
+    points: &[DVec2],
+    starts: bool,
+    ends: bool,
+    each: &mut impl FnMut(Piece<'_>) -> Result<(), E>,
+) -> Result<(), E> {
+    if points.len() > usize::from(starts && ends) { each(Piece { points, starts, ends }) } else { Ok(()) }
 }
 
 impl<S: Space> Pieces for LongLine<'_, S> {
     fn pieces<E>(&self, mut each: impl FnMut(Piece<'_>) -> Result<(), E>) -> Result<(), E> {
+        let (normalization, map) = (self.normalization.0, self.map.0);
         let mut buffer = [DVec2::ZERO; PIECE];
-        let (mut filled, mut starts) = (0, true);
-        let mut done = Ok(());
-        let mut give = |points: &[DVec2], starts, ends| {
-            let is_path = points.len() > usize::from(starts && ends);
-            if is_path && done.is_ok() {
-                done = each(Piece { points, starts, ends });
+        let (mut from, mut starts, is_whole) = (0, true, self.is_whole());
+        while from < self.len() {
+            let to = self.len().min(from + PIECE);
+            let points = self.points.part(from..to);
+            let images = &mut buffer[..to - from];
+            // The piece after this one tells whether a path ends here.
+            let goes_on = to < self.len() && (is_whole || self.point(to).is_some());
+            let mut finite = true;
+            points.map_to(
+                |p| {
+                    let p = normalization.transform_point2(p);
+                    finite &= p.is_finite();
+                    map.transform_point2(p)
+                },
+                images,
+            );
+            if finite {
+                give(images, starts, !goes_on, &mut each)?;
+                starts = !goes_on;
+            } else {
+                self.broken(points, goes_on, &mut starts, &mut each)?;
             }
-        };
-        self.walk(|p| match p {
-            Some(p) => {
-                if filled == PIECE {
-                    give(&buffer, starts, false);
-                    (filled, starts) = (0, false);
-                }
-                buffer[filled] = p;
-                filled += 1;
-            }
-            None => {
-                give(&buffer[..filled], starts, true);
-                (filled, starts) = (0, true);
-            }
-        });
-        give(&buffer[..filled], starts, true);
-        done
+            from = to;
+        }
+        Ok(())
     }
 }
 

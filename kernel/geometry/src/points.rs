@@ -1,6 +1,8 @@
 //! The arrays of points that applications hand over, as they are.
 
+use crate::{Point, Rect, Wc};
 use glam::{DAffine2, DVec2};
+use std::ops::Range;
 
 /// A view of an array of points in one of the layouts that callers have. The normalization transformation is
 /// the pass that reads it; nothing is copied before.
@@ -18,7 +20,7 @@ pub enum Points<'a> {
     Split(&'a [f64], &'a [f64]),
 }
 
-impl Points<'_> {
+impl<'a> Points<'a> {
     /// The number of points.
     pub fn len(&self) -> usize {
         match self {
@@ -51,7 +53,55 @@ impl Points<'_> {
         }
     }
 
+    /// Some of the points.
+    pub fn part(&self, range: Range<usize>) -> Points<'a> {
+        let range = range.start.min(self.len())..range.end.min(self.len());
+        match *self {
+            Points::Tuples(p) => Points::Tuples(&p[range]),
+            Points::Arrays(p) => Points::Arrays(&p[range]),
+            Points::Singles(p) => Points::Singles(&p[range]),
+            Points::SplitSingles(x, y) => Points::SplitSingles(&x[range.clone()], &y[range]),
+            Points::Split(x, y) => Points::Split(&x[range.clone()], &y[range]),
+        }
+    }
+
+    /// Puts the images of the points into a slice, as many as there are of both.
+    #[inline]
+    pub fn map_to(&self, mut map: impl FnMut(DVec2) -> DVec2, images: &mut [DVec2]) {
+        match *self {
+            Points::Tuples(p) => {
+                images.iter_mut().zip(p).for_each(|(image, &(x, y))| *image = map(DVec2::new(x, y)));
+            }
+            Points::Arrays(p) => images.iter_mut().zip(p).for_each(|(image, &p)| *image = map(p.into())),
+            Points::Singles(p) => images
+                .iter_mut()
+                .zip(p)
+                .for_each(|(image, &[x, y])| *image = map(DVec2::new(x.into(), y.into()))),
+            Points::SplitSingles(x, y) => images
+                .iter_mut()
+                .zip(x.iter().zip(y))
+                .for_each(|(image, (&x, &y))| *image = map(DVec2::new(x.into(), y.into()))),
+            Points::Split(x, y) => images
+                .iter_mut()
+                .zip(x.iter().zip(y))
+                .for_each(|(image, (&x, &y))| *image = map(DVec2::new(x, y))),
+        }
+    }
+
+    /// The smallest rectangle around all points, or none if one of them is not finite or there is none.
+    pub fn bounds(&self) -> Option<Rect<Wc>> {
+        let (low, high) = match *self {
+            Points::Tuples(p) => extremes(p.len(), |i| p[i].into()),
+            Points::Arrays(p) => extremes(p.len(), |i| p[i]),
+            Points::Singles(p) => extremes(p.len(), |i| p[i]),
+            Points::SplitSingles(x, y) => extremes(self.len(), |i| [x[i], y[i]]),
+            Points::Split(x, y) => extremes(self.len(), |i| [x[i], y[i]]),
+        }?;
+        Some(Rect { min: Point::from_vec(low), max: Point::from_vec(high) })
+    }
+
     /// Calls `each` with every point in turn.
+    #[inline]
     pub fn for_each(&self, mut each: impl FnMut(DVec2)) {
         match self {
             Points::Tuples(p) => p.iter().for_each(|&(x, y)| each(DVec2::new(x, y))),
@@ -75,6 +125,40 @@ fn add_mapped(map: &DAffine2, points: impl Iterator<Item = DVec2>, images: &mut 
         image
     }));
     finite
+}
+
+/// The least and the greatest coordinates of a number of points, if all are finite and there are any.
+#[inline]
+fn extremes<T: Copy + PartialOrd + Into<f64>>(
+    count: usize,
+    point: impl Fn(usize) -> [T; 2],
+) -> Option<(DVec2, DVec2)> {
+    /// As many are compared side by side, so that none waits for the one before.
+    const LANES: usize = 4;
+    if count == 0 {
+        return None;
+    }
+    let (mut low, mut high) = ([point(0); LANES], [point(0); LANES]);
+    let mut finite = true;
+    let mut from = 0;
+    while from < count {
+        for lane in 0..LANES {
+            // The last point may come again.
+            let p = point((from + lane).min(count - 1));
+            let (low, high) = (&mut low[lane], &mut high[lane]);
+            for i in [0, 1] {
+                low[i] = if p[i] < low[i] { p[i] } else { low[i] };
+                high[i] = if p[i] > high[i] { p[i] } else { high[i] };
+                // Nothing but a finite number is zero times zero.
+                finite &= p[i].into() * 0.0 == 0.0;
+            }
+        }
+        from += LANES;
+    }
+    let vector = |p: [T; 2]| DVec2::from(p.map(Into::into));
+    let low = low.into_iter().map(vector).fold(DVec2::INFINITY, DVec2::min);
+    let high = high.into_iter().map(vector).fold(DVec2::NEG_INFINITY, DVec2::max);
+    finite.then_some((low, high))
 }
 
 macro_rules! from_slices {
@@ -116,6 +200,33 @@ mod tests {
             let mut images = vec![DVec2::ZERO];
             assert!(points.add_mapped(&map, &mut images), "{points:?}");
             assert_eq!(images, [DVec2::ZERO, DVec2::new(2.0, 2.0), DVec2::new(5.0, 11.0)], "{points:?}");
+        }
+    }
+
+    #[test]
+    fn bounds_and_parts_of_every_layout() {
+        let pairs: Vec<(f64, f64)> =
+            (0..11).map(|i| (f64::from(i * 7 % 11), f64::from(i * 5 % 11 - 4))).collect();
+        let arrays: Vec<[f64; 2]> = pairs.iter().map(|&p| p.into()).collect();
+        let singles: Vec<[f32; 2]> = pairs.iter().map(|&(x, y)| [x as f32, y as f32]).collect();
+        let (x, y): (Vec<f64>, Vec<f64>) = pairs.iter().copied().unzip();
+        let (a, b): (Vec<f32>, Vec<f32>) = singles.iter().map(|&[x, y]| (x, y)).unzip();
+        let layouts = [
+            Points::Tuples(&pairs),
+            Points::Arrays(&arrays),
+            Points::Singles(&singles),
+            Points::SplitSingles(&a, &b),
+            Points::Split(&x, &y),
+        ];
+        for points in layouts {
+            assert_eq!(points.bounds(), Some(Rect::new(0.0, 10.0, -4.0, 6.0)), "{points:?}");
+            let mut images = [DVec2::ZERO; 3];
+            points.part(9..200).map_to(|p| p * 2.0, &mut images);
+            assert_eq!(images, [DVec2::new(16.0, -6.0), DVec2::new(8.0, 4.0), DVec2::ZERO], "{points:?}");
+        }
+        assert_eq!(Points::Tuples(&[]).bounds(), None);
+        for odd in [f64::NAN, f64::INFINITY] {
+            assert_eq!(Points::Tuples(&[(0.0, 1.0), (2.0, odd), (3.0, 3.0)]).bounds(), None);
         }
     }
 

@@ -229,7 +229,8 @@ impl Device for TestDevice {
         if matches!(mark.form, Form::LongLine(..)) && self.pixels.is_some() {
             return Ok(Drawn::No);
         }
-        self.log.push(Event::Draw(keep(&mark.form), mark.clip));
+        let Some(drawing) = keep(&mark.form) else { return Ok(Drawn::No) };
+        self.log.push(Event::Draw(drawing, mark.clip));
         Ok(Drawn::Yes)
     }
 
@@ -248,7 +249,8 @@ impl Device for TestDevice {
     }
 }
 
-fn keep(form: &Form<'_>) -> Drawing {
+/// What is kept of a form; none of one that comes again as another one.
+fn keep(form: &Form<'_>) -> Option<Drawing> {
     let paths = |p: &Paths<'_, Du>| p.iter().map(<[DVec2]>::to_vec).collect::<Vec<_>>();
     let stroke = |p: &Pen<'_>| Stroke {
         paint: p.paint,
@@ -261,7 +263,7 @@ fn keep(form: &Form<'_>) -> Drawing {
         columns: g.columns,
         indices: g.paints.iter().map(|paint| paint.index).collect(),
     };
-    match form {
+    Some(match form {
         Form::LongLine(line, pen) => {
             let mut whole = PathBuf::new();
             whole.add_pieces(line);
@@ -277,7 +279,8 @@ fn keep(form: &Form<'_>) -> Drawing {
         Form::Stroke(Curve::Bezier(p), pen) => Drawing::Bezier(p.to_vec(), stroke(pen)),
         Form::Filled(Curve::Ellipse(e), paint) => Drawing::FilledEllipse(*e, *paint),
         Form::Filled(Curve::Bezier(p), paint) => Drawing::FilledBezier(p.to_vec(), *paint),
-    }
+        Form::StrokeText(_) | Form::IndexedCells(..) => return None,
+    })
 }
 
 /// A frame buffer of 1000 x 500 pixels that numbers them row by row, modulo 256.

@@ -39,11 +39,12 @@
 //! ```
 
 use crate::colour::{Colour, Paint};
-use crate::font::OutlineFace;
+use crate::font::{OutlineFace, StrokeGlyph};
 use crate::input::Input;
-use crate::item::{Curve, Parallelogram};
+use crate::item::{Cells, Curve, Parallelogram};
 use crate::look::{Cap, Join};
-use gks_geometry::{Du, LongLine, Paths, Point, Rect, Vector};
+use crate::tables::Tables;
+use gks_geometry::{Du, LongLine, PathBuf, Paths, Point, Rect, Vector};
 use glam::DVec2;
 use std::io;
 
@@ -181,9 +182,13 @@ pub enum Form<'a> {
     Markers(&'a [DVec2], MarkerStyle),
     /// Characters of an outline font.
     Text(GlyphRun<'a>),
+    /// Characters of stroke fonts, for devices that keep pictures of them. Refused, they come as lines.
+    StrokeText(StrokeText<'a>),
     /// A parallelogram of cells, each filled with one colour; a pixel takes the colour of the cell that
     /// contains its centre. Row by row, column fastest.
     Cells(Parallelogram<Du>, Grid<'a>),
+    /// Such cells as colour indices, for devices that look them up faster. Refused, they come as paints.
+    IndexedCells(Parallelogram<Du>, Cells<'a>, Palette<'a>),
     /// A curve drawn with a pen.
     Stroke(Curve<'a, Du>, Pen<'a>),
     /// The area enclosed by a curve.
@@ -235,6 +240,19 @@ pub struct Grid<'a> {
     pub rows: usize,
 }
 
+/// What the colour indices of cells show.
+#[derive(Copy, Clone, Debug)]
+pub struct Palette<'a> {
+    pub(crate) tables: &'a Tables,
+}
+
+impl Palette<'_> {
+    /// The paint of an index; a negative one is drawn as index 1, like one without an entry.
+    pub fn paint(&self, index: i32) -> Paint {
+        self.tables.translucent(u32::try_from(index).unwrap_or(u32::MAX), self.tables.opacity.areas)
+    }
+}
+
 /// How markers are drawn.
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub struct MarkerStyle {
@@ -274,6 +292,39 @@ pub struct Glyph {
     pub cluster: u32,
     /// The origin of the glyph: left edge of the body on the base line.
     pub origin: Point<Du>,
+}
+
+/// Characters of stroke fonts, placed one by one.
+#[derive(Copy, Clone, Debug)]
+pub struct StrokeText<'a> {
+    /// The characters in the order in which they are drawn.
+    pub characters: &'a [StrokeCharacter],
+    /// The image of the horizontal vector as long as capital letters are high.
+    pub x: Vector<Du>,
+    /// The image of the vector from base line to cap line.
+    pub y: Vector<Du>,
+    /// How the strokes are drawn.
+    pub pen: Pen<'a>,
+}
+
+/// A character in a [`StrokeText`].
+#[derive(Copy, Clone, Debug)]
+pub struct StrokeCharacter {
+    /// The strokes.
+    pub glyph: &'static StrokeGlyph,
+    /// The origin of the glyph: left edge of the body on the base line.
+    pub origin: Point<Du>,
+}
+
+impl StrokeText<'_> {
+    /// Adds the strokes of all characters to paths.
+    pub fn add_to(&self, paths: &mut PathBuf<Du>) {
+        for StrokeCharacter { glyph, origin } in self.characters {
+            for stroke in glyph.strokes() {
+                paths.add(stroke.iter().map(|p| origin.0 + self.x.0 * p.x + self.y.0 * p.y));
+            }
+        }
+    }
 }
 
 /// A driver's answer to a mark.

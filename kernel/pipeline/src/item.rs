@@ -102,6 +102,11 @@ impl<'a> Cells<'a> {
         })
     }
 
+    /// All indices from the first cell on, and how far apart in them rows begin.
+    pub fn indices(&self) -> (&'a [i32], usize) {
+        (self.indices, self.stride)
+    }
+
     /// The indices of one row.
     #[inline]
     pub fn row(&self, row: usize) -> &'a [i32] {

@@ -7,7 +7,10 @@
 //! that the dashes keep their phase; text becomes outlines before it is clipped.
 
 use crate::colour::Paint;
-use crate::device::{Device, DeviceError, Drawn, Fill, Form, Glyph, Mark, Pen, Rule, Surface};
+use crate::device::{
+    Device, DeviceError, Drawn, Fill, Form, Glyph, Mark, MarkerStyle, Palette, Pen, Rule, StrokeCharacter,
+    Surface,
+};
 use crate::font::Layout;
 use crate::item::{Cells, Curve, Item, Parallelogram, Role, Shape};
 use crate::look::{Cap, InteriorStyle, Join, Look};
@@ -16,7 +19,7 @@ use crate::tables::Tables;
 use gks_algorithms as algorithms;
 use gks_algorithms::clip::sutherland_hodgman;
 use gks_algorithms::fill::Hatch;
-use gks_geometry::{Du, LongLine, Map, Ndc, PathBuf, Paths, Rect};
+use gks_geometry::{Du, LongLine, Map, Ndc, PathBuf, Paths, Pieces, Point, Rect};
 use glam::DVec2;
 
 /// The most dashes that one polyline is cut into; beyond, it is drawn solid.
@@ -36,6 +39,7 @@ pub struct Painter {
     paints: Vec<Paint>,
     pub(crate) layout: Layout,
     pub(crate) glyphs: Vec<Glyph>,
+    pub(crate) characters: Vec<StrokeCharacter>,
 }
 
 /// Where an item is painted: a device with the transformation and the tables of its workstation.
@@ -138,7 +142,58 @@ impl Painter {
             Visibility::Whole => None,
             Visibility::Crossing => Some(clip),
         };
-        self.with_pen(look, canvas, |_, pen, canvas| canvas.offer(Form::LongLine(line, *pen), crossing))
+        self.with_pen(look, canvas, |painter, pen, canvas| {
+            let drawn = canvas.offer(Form::LongLine(line, *pen), crossing)?;
+            let pens = canvas.surface.pen.is_some();
+            match crossing {
+                Some(clip) if drawn == Drawn::No && pen.dash.is_empty() && !pens => {
+                    painter.clipped_long_line(&line, pen, &clip, canvas)
+                }
+                _ => Ok(drawn),
+            }
+        })
+    }
+
+    /// Draws of a long line what is inside of `clip`, which alone is held.
+    fn clipped_long_line(
+        &mut self,
+        line: &LongLine<'_, Du>,
+        pen: &Pen<'_>,
+        clip: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<Drawn, DeviceError> {
+        let mut clipped = std::mem::take(&mut self.clipped);
+        let mut held = std::mem::take(&mut self.pieces);
+        let path = &mut held.points;
+        let mut last = None;
+        clipped.clear();
+        line.pieces(|piece| {
+            // A piece goes on where the one before it ended.
+            path.clear();
+            path.extend(last.filter(|_| !piece.starts));
+            path.extend_from_slice(piece.points);
+            last = piece.points.last().copied();
+            let bounds = Paths::<Du>::new(path, &[]).bounds();
+            if bounds.is_none_or(|bounds| !bounds.meets(clip)) {
+                return Ok::<_, DeviceError>(());
+            }
+            let (points, ends) = (&mut clipped.points, &mut clipped.ends);
+            let (before, count) = (points.len(), ends.len());
+            let goes_on = !piece.starts && points.last() == path.first();
+            algorithms::clip::polyline((clip.min.0, clip.max.0), path, points, ends);
+            if goes_on && ends.len() > count && points.get(before) == points.get(before.wrapping_sub(1)) {
+                points.remove(before);
+                ends.remove(count - 1);
+                ends[count - 1..].iter_mut().for_each(|end| *end -= 1);
+            }
+            Ok(())
+        })?;
+        let done = match clipped.ends.is_empty() {
+            true => Ok(()),
+            false => must(canvas.offer(Form::Lines(clipped.as_paths(), *pen), None)),
+        };
+        (self.clipped, self.pieces) = (clipped, held);
+        done.map(|()| Drawn::Yes)
     }
 
     /// Draws lines inside of `clip`.
@@ -203,20 +258,34 @@ impl Painter {
         let window = canvas.clip_map.rect(&canvas.window);
         let mut mapped = std::mem::take(&mut self.mapped);
         mapped.clear();
-        let inside = |p: &DVec2| clip.contains(gks_geometry::Point::from_vec(*p));
+        let inside = |p: &DVec2| clip.contains(Point::from_vec(*p));
         mapped.add(positions.iter().map(|&p| canvas.map.0.transform_point2(p)).filter(inside));
-        let mut done = Ok(());
-        if let Some(bounds) = mapped.as_paths().bounds() {
-            let whole = window.contains_rect(&bounds.grown(style.size * 0.5));
-            let offered = Form::Markers(&mapped.points, style);
-            done = match canvas.offer(offered, (!whole).then_some(window)) {
-                Ok(Drawn::Yes) => Ok(()),
-                Ok(Drawn::No) => lower::marker::draw(self, &mapped.points, &style, &window, canvas),
-                Err(error) => Err(error),
-            };
-        }
+        let done = self.markers(&mut mapped.points, &style, &window, canvas);
         self.mapped = mapped;
         done
+    }
+
+    /// Draws markers, cut at the window. A device that draws only whole ones gets those that are: the few that
+    /// cross the edge are no reason to make lines of all of them. The order of the positions may change.
+    fn markers(
+        &mut self,
+        positions: &mut [DVec2],
+        style: &MarkerStyle,
+        window: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<(), DeviceError> {
+        let Some(bounds) = Paths::<Du>::new(positions, &[]).bounds() else { return Ok(()) };
+        let whole = window.contains_rect(&bounds.grown(style.size * 0.5));
+        if canvas.offer(Form::Markers(positions, *style), (!whole).then_some(*window))? == Drawn::Yes {
+            return Ok(());
+        }
+        let inner = window.grown(-style.size * 0.5);
+        let count = if whole { 0 } else { partition(positions, |p| inner.contains(Point::from_vec(p))) };
+        let (within, crossing) = positions.split_at(count);
+        if count > 0 && canvas.offer(Form::Markers(within, *style), None)? == Drawn::Yes {
+            return lower::marker::draw(self, crossing, style, window, canvas);
+        }
+        lower::marker::draw(self, positions, style, window, canvas)
     }
 
     fn fill_area(
@@ -363,8 +432,12 @@ impl Painter {
             Visibility::Whole => None,
             Visibility::Crossing => Some(*clip),
         };
+        let palette = Palette { tables: canvas.tables };
+        if canvas.offer(Form::IndexedCells(place, *cells, palette), clip_at)? == Drawn::Yes {
+            return Ok(());
+        }
         let mut paints = std::mem::take(&mut self.paints);
-        lower::cells::paints(cells, canvas.tables, &mut paints);
+        lower::cells::paints(cells, &palette, &mut paints);
         let grid = crate::device::Grid { paints: &paints, columns: cells.columns, rows: cells.rows };
         let done = match canvas.offer(Form::Cells(place, grid), clip_at) {
             Ok(Drawn::No) => lower::cells::draw(self, &place, &grid, clip, canvas),
@@ -410,6 +483,18 @@ impl Painter {
         self.dash = dash;
         result
     }
+}
+
+/// Brings the points for which `is_first` holds before the others, and tells how many they are.
+fn partition(points: &mut [DVec2], is_first: impl Fn(DVec2) -> bool) -> usize {
+    let mut count = 0;
+    for i in 0..points.len() {
+        if is_first(points[i]) {
+            points.swap(i, count);
+            count += 1;
+        }
+    }
+    count
 }
 
 /// An unclipped solid polyline may not be refused.

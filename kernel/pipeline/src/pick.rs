@@ -134,7 +134,12 @@ impl Device for Aperture {
             }
             Form::Cells(place, _) => self.area(&square, outline(place).as_paths(), Rule::EvenOdd),
             // Characters and curves come again as outlines and polygons.
-            Form::LongLine(..) | Form::Text(_) | Form::Stroke(..) | Form::Filled(..) => return Ok(Drawn::No),
+            Form::LongLine(..)
+            | Form::Text(_)
+            | Form::StrokeText(_)
+            | Form::IndexedCells(..)
+            | Form::Stroke(..)
+            | Form::Filled(..) => return Ok(Drawn::No),
         };
         Ok(Drawn::Yes)
     }

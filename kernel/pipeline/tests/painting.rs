@@ -1,6 +1,6 @@
 //! What reaches a device: painting seen from below, with a device that records marks and refuses kinds.
 
-use gks_geometry::{Dc, Ndc, PathBuf, Paths, Point, Rect, Vector};
+use gks_geometry::{Dc, LongLine, Map, Ndc, PathBuf, Paths, Point, Points, Rect, Vector};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::description::*;
 use gks_pipeline::device::*;
@@ -40,7 +40,7 @@ impl Device for Recorder {
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         let copy = |paths: &Paths<'_, _>| paths.iter().map(<[DVec2]>::to_vec).collect::<Vec<_>>();
         let (kind, paths, colour, width) = match &mark.form {
-            Form::LongLine(..) => return Ok(Drawn::No),
+            Form::LongLine(..) | Form::StrokeText(_) | Form::IndexedCells(..) => return Ok(Drawn::No),
             Form::Lines(paths, pen) if pen.dash.is_empty() => {
                 ("lines", copy(paths), pen.paint.index, pen.width)
             }
@@ -131,6 +131,28 @@ fn area_look(interior: InteriorStyle, style: i32) -> Look {
 
 const SQUARE: [(f64, f64); 4] = [(0.2, 0.2), (0.6, 0.2), (0.6, 0.6), (0.2, 0.6)];
 const LEFT: Rect<Ndc> = Rect::new(0.0, 0.4, 0.0, 1.0);
+
+#[test]
+fn long_lines_are_cut_as_short_ones_are() {
+    // In and out many times, with the joints of pieces inside, outside and on the edge.
+    let point = |i: usize| (i as f64 / 5000.0, 0.5 + 0.3 * ((i % 1023) as f64 / 511.0 - 1.0));
+    let mut points: Vec<(f64, f64)> = (0..5000).map(point).collect();
+    points[1024].1 = 0.7;
+    points[3072].1 = 0.1;
+    points[4000].0 = f64::NAN;
+    points[4500].1 = f64::INFINITY;
+    let line = LongLine::new(Points::from(&points), Map::IDENTITY);
+    let mut held = PathBuf::new();
+    held.add_pieces(&line);
+    let clip = Rect::new(0.1, 0.85, 0.3, 0.7);
+    let (mut ws, seen) = workstation(&[], false);
+    draw(&mut ws, Shape::Polyline(held.as_paths()), &Look::default(), clip);
+    assert_eq!(ws.draw_long_line(&line, &Look::default(), &clip).unwrap(), Drawn::Yes);
+    let seen = seen.lock().unwrap();
+    assert_eq!(seen.len(), 2);
+    assert!(seen[0].paths.len() > 5, "{}", seen[0].paths.len());
+    assert!(seen[0] == seen[1]);
+}
 
 #[test]
 fn lines_are_cut_at_the_clipping_rectangle() {

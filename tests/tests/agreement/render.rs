@@ -344,6 +344,9 @@ impl Limited {
             Form::Area(_, _, Fill::Pattern(_, grid)) | Form::Cells(_, grid) => grid.paints = &paints,
             Form::Markers(_, style) => style.paint = one(&style.paint),
             Form::Text(run) => run.paint = one(&run.paint),
+            Form::StrokeText(text) => text.pen.paint = one(&text.pen.paint),
+            // They come again as cells with paints.
+            Form::IndexedCells(..) => return Ok(Drawn::No),
         }
         self.inner.draw(&mark)
     }

@@ -100,7 +100,10 @@ impl Device for Pdf {
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         let Pdf { content, document, route, .. } = self;
         match &mark.form {
-            Form::Markers(..) | Form::Area(_, _, Fill::Pattern(..)) => return Ok(Drawn::No),
+            Form::Markers(..)
+            | Form::Area(_, _, Fill::Pattern(..))
+            | Form::StrokeText(_)
+            | Form::IndexedCells(..) => return Ok(Drawn::No),
             Form::Text(run) if self.options.outlines || run.face.glyphs() == 0 => return Ok(Drawn::No),
             _ => content.clip(mark.clip.as_ref()),
         }
@@ -116,7 +119,9 @@ impl Device for Pdf {
             Form::Text(run) => {
                 self.used.insert(self.fonts.draw(run, content, document)?);
             }
-            Form::Markers(..) | Form::Area(..) => return Ok(Drawn::No),
+            Form::Markers(..) | Form::Area(..) | Form::StrokeText(_) | Form::IndexedCells(..) => {
+                return Ok(Drawn::No);
+            }
         }
         self.content.relieve(&mut self.document)?;
         Ok(Drawn::Yes)

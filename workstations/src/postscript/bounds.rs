@@ -2,7 +2,7 @@
 
 use crate::arc;
 use crate::pdf::sfnt;
-use gks_geometry::{Du, LongLine, Paths, Piece, Pieces, Point, Rect};
+use gks_geometry::{Du, LongLine, PathBuf, Paths, Piece, Pieces, Point, Rect};
 use gks_pipeline::device::{Form, GlyphRun, Mark, Pen};
 use gks_pipeline::font::Verb;
 use gks_pipeline::item::{Closure, Curve};
@@ -62,7 +62,14 @@ impl Bounds {
                 positions.iter().for_each(|p| self.disc(*p, (style.size + style.width) * 0.5));
             }
             Form::Text(run) => self.text(run),
-            Form::Cells(place, _) => place.corners().iter().for_each(|corner| self.point(corner.0)),
+            Form::Cells(place, _) | Form::IndexedCells(place, ..) => {
+                place.corners().iter().for_each(|corner| self.point(corner.0));
+            }
+            Form::StrokeText(run) => {
+                let mut strokes = PathBuf::new();
+                run.add_to(&mut strokes);
+                self.lines(strokes.as_paths(), &run.pen);
+            }
             Form::Stroke(curve, pen) => self.stroke(curve, pen),
             Form::Filled(curve, _) => self.curve(curve),
         }

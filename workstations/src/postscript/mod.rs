@@ -125,7 +125,10 @@ impl Device for PostScript {
 
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         let colour = match &mark.form {
-            Form::Markers(..) | Form::Area(_, _, Fill::Pattern(..)) => return Ok(Drawn::No),
+            Form::Markers(..)
+            | Form::Area(_, _, Fill::Pattern(..))
+            | Form::StrokeText(_)
+            | Form::IndexedCells(..) => return Ok(Drawn::No),
             Form::Text(run) if self.options.outlines || run.face.glyphs() == 0 => return Ok(Drawn::No),
             Form::Cells(place, grid) => return self.cells(mark, place, *grid),
             Form::Lines(_, pen) | Form::LongLine(_, pen) | Form::Stroke(_, pen) => pen.paint.colour,
@@ -145,7 +148,9 @@ impl Device for PostScript {
             Form::Filled(curve, _) => content.filled(curve, colour, document)?,
             Form::Area(rings, rule, _) => content.area(*rings, *rule, colour, route, document)?,
             Form::Text(run) => document.fonts.draw(run, content),
-            Form::Cells(..) | Form::Markers(..) => return Ok(Drawn::No),
+            Form::Cells(..) | Form::Markers(..) | Form::StrokeText(_) | Form::IndexedCells(..) => {
+                return Ok(Drawn::No);
+            }
         }
         content.relieve(document)?;
         Ok(Drawn::Yes)

@@ -3,13 +3,14 @@
 use super::stroke::Stroke;
 use gks_algorithms::clip::polyline;
 use gks_algorithms::fill::EdgeTable;
-use gks_algorithms::line::{bresenham, m4};
+use gks_algorithms::line::{M4, bresenham, m4};
 use gks_algorithms::path;
 use gks_algorithms::rect::IRect;
-use gks_geometry::{Du, PathBuf, Paths, Point, Rect};
+use gks_geometry::{Du, LongLine, PathBuf, Paths, Pieces, Point, Rect};
 use gks_pipeline::device::{Pen, Rule};
 use gks_pipeline::look::Cap;
 use glam::{DVec2, IVec2};
+use std::convert::Infallible;
 
 /// The width in pixels from which lines are drawn as polygons.
 pub(super) const WIDE: f64 = 1.5;
@@ -74,6 +75,44 @@ impl Aliased {
         self.cut = cut;
     }
 
+    /// Gives the spans of pixels of a line whose points are not held, as [`Aliased::lines`] does.
+    pub(super) fn long_line(
+        &mut self,
+        line: &LongLine<'_, Du>,
+        pen: &Pen<'_>,
+        surface: &Rect<Du>,
+        mut span: impl FnMut(i32, i32, i32),
+    ) {
+        let is_inside = line.bounds().is_some_and(|bounds| surface.contains_rect(&bounds));
+        if !(line.is_whole() && is_inside && pen.width < WIDE && line.len() > 3) {
+            let mut paths = PathBuf::new();
+            paths.add_pieces(line);
+            return self.lines(paths.as_paths(), pen, surface, span);
+        }
+        let raster = IRect::new(IVec2::ZERO, surface.max.0.as_ivec2());
+        let last = line.len() - 1;
+        let vertex = |index: usize| line.point(index).unwrap_or_default();
+        let cut = pen.cap == Cap::Butt && line.point(0) != line.point(last);
+        let end = |at: usize, before: usize| if cut { inset(vertex(at), vertex(before)) } else { vertex(at) };
+        let mut thin = Thin::new(raster);
+        let mut plot = |x, y| span(y, x, x + 1);
+        let mut index = 0;
+        let done = line.pieces::<Infallible>(|piece| {
+            for &p in piece.points {
+                let p = match index {
+                    0 => end(0, 1),
+                    _ if index == last => end(last, last - 1),
+                    _ => p,
+                };
+                thin.to(p, &mut plot);
+                index += 1;
+            }
+            Ok(())
+        });
+        let Ok(()) = done;
+        thin.end(&mut plot);
+    }
+
     /// Gives the spans of pixels of an area.
     pub(super) fn area(
         &mut self,
@@ -88,8 +127,6 @@ impl Aliased {
 
 /// Gives the pixels of a line one pixel wide inside of a raster.
 fn thin(path: &[DVec2], cap: Cap, raster: IRect, mut plot: impl FnMut(i32, i32)) {
-    let last_pixel = raster.max.as_dvec2() - 1.0;
-    let mut from: Option<IVec2> = None;
     let last = path.len().saturating_sub(1);
     let cut = cap == Cap::Butt && path.first() != path.last();
     let [start, end] = match path {
@@ -101,16 +138,52 @@ fn thin(path: &[DVec2], cap: Cap, raster: IRect, mut plot: impl FnMut(i32, i32))
         [] => return,
     };
     let inner = path.get(1..last).unwrap_or(&[]).iter().copied();
-    let vertices = std::iter::once(start).chain(inner).chain((last > 0).then_some(end));
-    // Within one column of pixels the lowest and the highest vertex make all the difference.
-    m4(vertices, 1.0, |p| {
+    let mut thin = Thin::new(raster);
+    std::iter::once(start).chain(inner).chain((last > 0).then_some(end)).for_each(|p| thin.to(p, &mut plot));
+    thin.end(&mut plot);
+}
+
+/// A line one pixel wide on its way.
+struct Thin {
+    /// Within one column of pixels the lowest and the highest vertex make all the difference.
+    m4: M4,
+    pixels: Pixels,
+}
+
+/// The pixels of a line on its way.
+struct Pixels {
+    raster: IRect,
+    last_pixel: DVec2,
+    from: Option<IVec2>,
+}
+
+impl Pixels {
+    fn to(&mut self, p: DVec2, plot: &mut impl FnMut(i32, i32)) {
         // The far edges of the display surface belong to the last pixels.
-        let to = p.max(DVec2::ZERO).min(last_pixel).as_ivec2();
-        if from != Some(to) {
-            bresenham(from.unwrap_or(to), to, raster, &mut plot);
+        let to = p.max(DVec2::ZERO).min(self.last_pixel).as_ivec2();
+        if self.from != Some(to) {
+            bresenham(self.from.unwrap_or(to), to, self.raster, plot);
         }
-        from = Some(to);
-    });
+        self.from = Some(to);
+    }
+}
+
+impl Thin {
+    fn new(raster: IRect) -> Self {
+        let pixels = Pixels { raster, last_pixel: raster.max.as_dvec2() - 1.0, from: None };
+        Thin { m4: M4::new(1.0), pixels }
+    }
+
+    #[inline]
+    fn to(&mut self, p: DVec2, plot: &mut impl FnMut(i32, i32)) {
+        let Thin { m4, pixels } = self;
+        m4.to(p, &mut |p| pixels.to(p, plot));
+    }
+
+    fn end(self, plot: &mut impl FnMut(i32, i32)) {
+        let Thin { m4, mut pixels } = self;
+        m4.end(&mut |p| pixels.to(p, plot));
+    }
 }
 
 /// The middle of the last pixel of a line that is cut off at its end: a dash of three pixels shall not take four.

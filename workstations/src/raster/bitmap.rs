@@ -28,7 +28,6 @@ impl Bitmap {
     }
 
     /// All pixels.
-    #[cfg(test)]
     pub(super) fn pixels(&self) -> &[Pixel] {
         &self.pixels
     }

@@ -1,7 +1,6 @@
 //! Cells on a raster: every pixel takes the colour of the cell that contains its centre.
 
 use gks_geometry::Du;
-use gks_pipeline::colour::Paint;
 use gks_pipeline::device::Grid;
 use gks_pipeline::item::Parallelogram;
 use glam::{DMat2, DVec2};
@@ -23,18 +22,18 @@ pub(super) struct CellMap {
 impl CellMap {
     /// The map for a grid in a parallelogram, or none if the parallelogram has no area or the grid no cell.
     pub(super) fn new(frame: &Parallelogram<Du>, grid: &Grid<'_>) -> Option<Self> {
+        let whole = grid.columns.checked_mul(grid.rows).is_some_and(|n| n <= grid.paints.len());
+        if whole { CellMap::of_size(frame, grid.columns, grid.rows) } else { None }
+    }
+
+    fn of_size(frame: &Parallelogram<Du>, columns: usize, rows: usize) -> Option<Self> {
         let forth = DMat2::from_cols(frame.columns.0, frame.rows.0);
         let determinant = forth.determinant();
         let usable = determinant != 0.0 && determinant.is_finite() && frame.origin.is_finite();
-        let whole = grid.columns.checked_mul(grid.rows).is_some_and(|n| n > 0 && n <= grid.paints.len());
-        let count = DMat2::from_diagonal(DVec2::new(grid.columns as f64, grid.rows as f64));
+        let count = DMat2::from_diagonal(DVec2::new(columns as f64, rows as f64));
         let inverse = count * forth.inverse();
-        (usable && whole && inverse.is_finite()).then_some(CellMap {
-            origin: frame.origin.0,
-            inverse,
-            columns: grid.columns,
-            rows: grid.rows,
-        })
+        let usable = usable && inverse.is_finite() && columns > 0 && rows > 0;
+        usable.then_some(CellMap { origin: frame.origin.0, inverse, columns, rows })
     }
 
     /// The position of the centre of a pixel, counted in columns and rows of cells. One on the edge of a cell, but for
@@ -45,11 +44,11 @@ impl CellMap {
         self.inverse * (centre - self.origin) + DVec2::splat(ROUNDING)
     }
 
-    /// The cell that contains the centre of a pixel as an index into the paints of the grid.
+    /// The column and the row of the cell that contains the centre of a pixel.
     #[inline]
-    pub(super) fn cell(&self, column: u32, row: u32) -> Option<usize> {
+    fn cell(&self, column: u32, row: u32) -> Option<(usize, usize)> {
         let p = self.position(column, row);
-        Some(within(p.x, self.columns)? + within(p.y, self.rows)? * self.columns)
+        Some((within(p.x, self.columns)?, within(p.y, self.rows)?))
     }
 
     /// The cell at the centre of a pixel in the plane tiled with copies of the grid.
@@ -61,14 +60,15 @@ impl CellMap {
     }
 
     /// Where the sides of the cells are parallel to the sides of the raster: what each pixel column and each
-    /// pixel row adds to the index of the cell, with the first pixel that lies in any cell.
-    fn separate(&self, columns: &Range<u32>, rows: &Range<u32>) -> Option<[Steps; 2]> {
+    /// pixel row adds to the place of the cell, with the first pixel that lies in any cell. Rows of cells are `stride`
+    /// places apart.
+    fn separate(&self, columns: &Range<u32>, rows: &Range<u32>, stride: usize) -> Option<[Steps; 2]> {
         let m = self.inverse;
         // x counts the columns of cells, or, where the array is turned, its rows.
         let (of_x, of_y) = if m.x_axis.y == 0.0 && m.y_axis.x == 0.0 {
-            ((0, self.columns, 1), (1, self.rows, self.columns))
+            ((0, self.columns, 1), (1, self.rows, stride))
         } else if m.x_axis.x == 0.0 && m.y_axis.y == 0.0 {
-            ((1, self.rows, self.columns), (0, self.columns, 1))
+            ((1, self.rows, stride), (0, self.columns, 1))
         } else {
             return None;
         };
@@ -99,47 +99,74 @@ fn within(at: f64, count: usize) -> Option<usize> {
     (at >= 0.0 && at < count as f64).then_some(at as usize)
 }
 
-/// Gives rows of pixels their cells. `paint` turns a paint into a pixel, `put` blends one pixel into the raster
-/// and `repeat` copies the columns given from the row before, which it may decline to do.
-pub(super) fn draw<P: Copy>(
+/// How many cells an array has, and how many places from one row to the next.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Extent {
+    pub(super) columns: usize,
+    pub(super) rows: usize,
+    pub(super) stride: usize,
+}
+
+/// Pixels side by side in a row, each in a cell.
+pub(super) struct Line<'a> {
+    /// The row of pixels.
+    pub(super) row: u32,
+    /// The first pixel.
+    pub(super) first: u32,
+    /// The place of the cell of each pixel, counted from `base`.
+    pub(super) offsets: &'a [usize],
+    pub(super) base: usize,
+    /// Whether each pixel has the next cell.
+    pub(super) consecutive: bool,
+    /// Whether the pixels above, which were given before, have the same cells.
+    pub(super) again: bool,
+}
+
+impl Line<'_> {
+    /// The pixels of a raster of `width` columns, as a range of all of them.
+    pub(super) fn pixels(&self, width: usize) -> Range<usize> {
+        let start = self.row as usize * width + self.first as usize;
+        start..start + self.offsets.len()
+    }
+
+    /// The places of the cells of the pixels.
+    pub(super) fn places(&self) -> impl Iterator<Item = usize> + '_ {
+        self.offsets.iter().map(|offset| self.base + offset)
+    }
+}
+
+/// Gives the pixels of a window whose centres lie in cells, line by line from the top.
+pub(super) fn lines(
     (columns, rows): (Range<u32>, Range<u32>),
     frame: &Parallelogram<Du>,
-    grid: &Grid<'_>,
-    paint: impl Fn(&Paint) -> P,
-    mut put: impl FnMut(u32, u32, P),
-    mut repeat: impl FnMut(Range<u32>, u32) -> bool,
+    Extent { columns: count, rows: row_count, stride }: Extent,
+    mut line: impl FnMut(&Line<'_>),
 ) {
-    let Some(map) = CellMap::new(frame, grid) else { return };
+    let Some(map) = CellMap::of_size(frame, count, row_count) else { return };
     let corners = frame.corners().map(|p| p.0);
     let (low, high) = corners.iter().fold((corners[0], corners[0]), |(l, h), &p| (l.min(p), h.max(p)));
     let (columns, rows) = (centres(columns, low.x, high.x), centres(rows, low.y, high.y));
-    let mut held = (usize::MAX, paint(&grid.paints[0]));
-    let mut colour = |cell: usize| {
-        if cell != held.0 {
-            held = (cell, paint(&grid.paints[cell]));
-        }
-        held.1
-    };
-    let Some([across, down]) = map.separate(&columns, &rows) else {
+    let Some([across, down]) = map.separate(&columns, &rows, stride) else {
+        let mut offsets = Vec::new();
         for row in rows {
+            let mut first = columns.end;
+            offsets.clear();
             for column in columns.clone() {
-                if let Some(cell) = map.cell(column, row) {
-                    put(column, row, colour(cell));
+                if let Some((cell, of_row)) = map.cell(column, row) {
+                    first = first.min(column);
+                    offsets.push(cell + of_row * stride);
                 }
             }
+            line(&Line { row, first, offsets: &offsets, base: 0, consecutive: false, again: false });
         }
         return;
     };
-    let columns = across.first..across.first + across.offsets.len() as u32;
+    let consecutive = across.offsets.windows(2).all(|pair| pair[1] == pair[0].wrapping_add(1));
+    let (first, offsets) = (across.first, &across.offsets[..]);
     let mut before = None;
-    for (row, &step) in (down.first..).zip(&down.offsets) {
-        if before == Some(step) && repeat(columns.clone(), row) {
-            continue;
-        }
-        before = Some(step);
-        for (column, &offset) in columns.clone().zip(&across.offsets) {
-            put(column, row, colour(offset + step));
-        }
+    for (row, &base) in (down.first..).zip(&down.offsets) {
+        line(&Line { row, first, offsets, base, consecutive, again: before == Some(base) });
+        before = Some(base);
     }
 }
 
@@ -154,16 +181,28 @@ fn centres(range: Range<u32>, low: f64, high: f64) -> Range<u32> {
 mod tests {
     use super::*;
     use gks_geometry::{Point, Vector};
-    use gks_pipeline::colour::Colour;
+    use gks_pipeline::colour::{Colour, Paint};
 
     fn picture(frame: Parallelogram<Du>, columns: usize, rows: usize) -> Vec<String> {
-        let paints: Vec<Paint> =
-            (0..columns * rows).map(|i| Paint { colour: Colour::BLACK, index: i as u32 }).collect();
-        let grid = Grid { paints: &paints, columns, rows };
-        let mut out = vec![vec!['.'; 8]; 6];
-        let cell = |p: &Paint| char::from(b'a' + p.index as u8);
-        draw((0..8, 0..6), &frame, &grid, cell, |c, r, p| out[r as usize][c as usize] = p, |_, _| false);
-        out.into_iter().map(|row| row.into_iter().collect()).collect()
+        let mut out = ['.'; 8 * 6];
+        let extent = Extent { columns, rows, stride: columns + 3 };
+        let letters: Vec<char> = (0..rows * extent.stride)
+            .map(|i| (i % extent.stride, i / extent.stride))
+            .map(|(x, y)| if x < columns { char::from(b'a' + (y * columns + x) as u8) } else { '?' })
+            .collect();
+        lines((0..8, 0..6), &frame, extent, |line| {
+            let pixels = line.pixels(8);
+            if line.again {
+                assert!(
+                    line.places()
+                        .zip(&out[pixels.start - 8..])
+                        .all(|(place, &above)| letters[place] == above)
+                );
+            }
+            assert!(!line.consecutive || line.places().is_sorted_by(|a, b| b - a == 1));
+            out[pixels].iter_mut().zip(line.places()).for_each(|(pixel, place)| *pixel = letters[place]);
+        });
+        out.chunks(8).map(|row| row.iter().collect()).collect()
     }
 
     fn frame(origin: (f64, f64), columns: (f64, f64), rows: (f64, f64)) -> Parallelogram<Du> {

@@ -2,7 +2,7 @@
 //! algorithms pixel by pixel, and image files with a palette.
 
 use super::aliased::{Aliased, WIDE, rule};
-use super::cells::{self, CellMap};
+use super::cells::{self, CellMap, Extent};
 use super::clip::Window;
 use super::describe::{Layout, SizeError};
 use super::encode::{self, Care, Format, Samples};
@@ -10,14 +10,13 @@ use super::look_up_table::LookUpTable;
 use crate::options::Options;
 use gks_algorithms::rect::IRect;
 use gks_algorithms::{circle, ellipse, path};
-use gks_geometry::{Du, Paths, Rect};
+use gks_geometry::{Du, LongLine, Paths, Rect};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::device::{
     Device, DeviceError, Drawn, Fill, Form, FrameBuffer, Grid, Mark, Page, Pen, Sink, Surface,
 };
 use gks_pipeline::item::{Closure, Curve, Ellipse, Parallelogram};
 use glam::IVec2;
-use std::cell::RefCell;
 use std::f64::consts::TAU;
 
 /// A frame buffer of 8-bit colour indices, which may be written as an image file for each page.
@@ -77,6 +76,14 @@ impl Indexed {
         });
     }
 
+    fn long_line(&mut self, line: &LongLine<'_, Du>, pen: &Pen<'_>) {
+        let index = self.table.index(&pen.paint);
+        let (pixels, width) = (&mut self.pixels, self.layout.width as usize);
+        self.aliased.long_line(line, pen, &self.surface.extent(), |row, from, to| {
+            pixels[row as usize * width..][from as usize..to as usize].fill(index);
+        });
+    }
+
     fn area(&mut self, rings: Paths<'_, Du>, rule: path::Rule, index: u8) {
         let (raster, width) = (self.raster(), self.layout.width as usize);
         let pixels = &mut self.pixels;
@@ -110,21 +117,26 @@ impl Indexed {
     }
 
     fn cells(&mut self, frame: &Parallelogram<Du>, grid: &Grid<'_>, clip: Option<Rect<Du>>) {
+        if grid.columns.checked_mul(grid.rows).is_none_or(|count| count > grid.paints.len()) {
+            return;
+        }
         let window = self.window(clip).centred();
         let width = self.layout.width as usize;
-        let (table, pixels) = (RefCell::new(&mut self.table), RefCell::new(&mut self.pixels));
-        cells::draw(
-            window,
-            frame,
-            grid,
-            |paint| table.borrow_mut().index(paint),
-            |column, row, index| pixels.borrow_mut()[row as usize * width + column as usize] = index,
-            |columns, row| {
-                let before = (row as usize - 1) * width + columns.start as usize;
-                pixels.borrow_mut().copy_within(before..before + columns.len(), before + width);
-                true
-            },
-        );
+        let Indexed { table, pixels, .. } = self;
+        let mut held = (usize::MAX, 0);
+        let extent = Extent { columns: grid.columns, rows: grid.rows, stride: grid.columns };
+        cells::lines(window, frame, extent, |line| {
+            let at = line.pixels(width);
+            if line.again {
+                return pixels.copy_within(at.start - width..at.end - width, at.start);
+            }
+            for (pixel, place) in pixels[at].iter_mut().zip(line.places()) {
+                if place != held.0 {
+                    held = (place, table.index(&grid.paints[place]));
+                }
+                *pixel = held.1;
+            }
+        });
     }
 
     /// Draws a full ellipse one pixel wide.
@@ -179,6 +191,7 @@ impl Device for Indexed {
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         match (&mark.form, mark.clip) {
             (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(*paths, pen),
+            (Form::LongLine(line, pen), None) if pen.dash.is_empty() => self.long_line(line, pen),
             (Form::Area(rings, by, Fill::Solid(paint)), None) => {
                 let index = self.table.index(paint);
                 self.area(*rings, rule(*by), index);

@@ -5,14 +5,16 @@
 
 use super::bitmap::Bitmap;
 use super::composite::{Ink, Pixel, over, pixel};
+use super::lone::Lone;
 use super::stroke::{Stroke, settled};
 use gks_algorithms::coverage::SampleMask;
-use gks_algorithms::line::m4;
+use gks_algorithms::line::{M4, Upright, klee, m4};
 use gks_algorithms::rect::IRect;
-use gks_geometry::{Du, Paths};
+use gks_geometry::{Du, LongLine, PathBuf, Paths, Pieces};
 use gks_pipeline::device::Pen;
-use gks_pipeline::look::{Cap, Join};
+use gks_pipeline::look::Join;
 use glam::{DVec2, IVec2};
+use std::convert::Infallible;
 
 /// How far vertices that are left out may be from the line drawn, in pixels: the distance of samples.
 const TOLERANCE: f64 = 0.125;
@@ -24,47 +26,61 @@ const SHORT: usize = 4096;
 /// The most pixels for which samples are kept at a time: 16 MiB of them.
 const BAND: usize = 1 << 21;
 
-/// The widest line that is drawn by [`lone`], in pixels.
-const WIDEST_LONE: f64 = 2.0;
-
-/// The width that a line is drawn with: a pixel at least, unless it is meant to be fainter.
-fn visible_width(width: f64) -> f64 {
-    if (0.5..1.0).contains(&width) { 1.0 } else { width.max(0.0) }
+/// The width and the ink that a line is drawn with: as wide as a pixel at least, and fainter if it is meant to be thinner
+/// than half of that, so that it looks alike at any place.
+fn visible(pen: &Pen<'_>) -> (f64, Ink) {
+    let width = if (0.5..1.0).contains(&pen.width) { 1.0 } else { pen.width.max(0.0) };
+    let width = settled(DVec2::splat(width)).x;
+    let strength = if width > 0.0 { (width.min(1.0) * 255.0).round() as u8 } else { 255 };
+    (width.max(1.0), Ink::new(pixel(pen.paint.colour), strength))
 }
 
 /// Draws antialiased lines; owns the storage for that.
 pub(super) struct Lines {
     mask: SampleMask,
     stroke: Stroke,
+    lone: Lone,
+    /// Short upright paths, of which many lie one upon the other.
+    uprights: Vec<Upright>,
 }
 
 impl Lines {
     pub(super) fn new() -> Self {
-        Lines { mask: SampleMask::new(), stroke: Stroke::new() }
+        Lines { mask: SampleMask::new(), stroke: Stroke::new(), lone: Lone::new(), uprights: Vec::new() }
     }
 
     /// Draws paths with a pen.
     pub(super) fn draw(&mut self, bitmap: &mut Bitmap, paths: Paths<'_, Du>, pen: &Pen<'_>) {
-        let width = settled(DVec2::splat(visible_width(pen.width))).x;
-        // Lines fainter than a pixel are a pixel wide and translucent, so that they look alike at any place.
-        let strength = if width > 0.0 { (width.min(1.0) * 255.0).round() as u8 } else { 255 };
+        let (width, ink) = visible(pen);
         let (columns, rows) = bitmap.size();
         let raster = IRect::of_size(columns as i32, rows as i32);
         if let (&[a, b], &[_]) = (paths.points, paths.ends)
-            && pen.cap != Cap::Round
-            && lone(
-                bitmap,
-                (settled(a), settled(b)),
-                width.max(1.0),
-                pen.cap,
-                (pixel(pen.paint.colour), strength),
-            )
+            && self.lone.draw(bitmap, (settled(a), settled(b)), width, pen.cap, &ink)
         {
             return;
         }
-        let ink = Ink::new(pixel(pen.paint.colour), strength);
-        self.stroke.begin(width.max(1.0), pen.cap, pen.join);
+        self.stroke.begin(width, pen.cap, pen.join);
         let window = self.window(paths, raster);
+        self.fill(bitmap, window, &ink, |lines| lines.follow(paths, columns));
+    }
+
+    /// Draws a line with a pen, without holding its points.
+    pub(super) fn draw_long(&mut self, bitmap: &mut Bitmap, line: &LongLine<'_, Du>, pen: &Pen<'_>) {
+        if !line.is_whole() || line.len() <= SHORT {
+            let mut paths = PathBuf::new();
+            paths.add_pieces(line);
+            return self.draw(bitmap, paths.as_paths(), pen);
+        }
+        let (width, ink) = visible(pen);
+        let (columns, rows) = bitmap.size();
+        self.stroke.begin(width, pen.cap, pen.join);
+        self.fill(bitmap, IRect::of_size(columns as i32, rows as i32), &ink, |lines| {
+            lines.follow_long(line, columns);
+        });
+    }
+
+    /// Puts ink over the samples that `follow` adds.
+    fn fill(&mut self, bitmap: &mut Bitmap, window: IRect, ink: &Ink, mut follow: impl FnMut(&mut Self)) {
         if window.is_empty() {
             return;
         }
@@ -73,7 +89,7 @@ impl Lines {
         for top in (window.min.y..window.max.y).step_by(band as usize) {
             let bottom = window.max.y.min(top.saturating_add(band));
             self.mask.begin(IRect::new(IVec2::new(window.min.x, top), IVec2::new(window.max.x, bottom)));
-            self.follow(paths, columns);
+            follow(self);
             self.mask.drain(|row, column, words| {
                 let columns = column as usize..column as usize + words.len();
                 ink.over_all(bitmap.span(row as usize, columns), words);
@@ -104,12 +120,15 @@ impl Lines {
     /// Adds the samples of paths on a raster of so many columns.
     fn follow(&mut self, paths: Paths<'_, Du>, columns: u32) {
         let dense = DENSE * columns as usize;
-        let Lines { mask, stroke } = self;
+        let Lines { mask, stroke, uprights, .. } = self;
         let mut polygon = |ring: &[DVec2]| mask.polygon(ring);
+        let are_dense = paths.points.len() > dense;
+        uprights.clear();
         for path in paths.iter() {
-            if path.len() > dense {
-                // Of the needles that miters make of a line that goes to and fro most would be left out.
-                let join = stroke.replace_join(|join| if join == Join::Miter { Join::Bevel } else { join });
+            if let Some(upright) = are_dense.then(|| upright(path, stroke)).flatten() {
+                uprights.push(upright);
+            } else if path.len() > dense {
+                let join = stroke.replace_join(without_needles);
                 m4(path.iter().copied(), TOLERANCE, |p| stroke.to(p, &mut polygon));
                 stroke.end(&mut polygon);
                 stroke.replace_join(|_| join);
@@ -120,7 +139,58 @@ impl Lines {
             }
             stroke.end(&mut polygon);
         }
+        klee(uprights, |line| {
+            let x = (line.column as f64 + 0.5) * TOLERANCE;
+            stroke.to(DVec2::new(x, line.low), &mut polygon);
+            stroke.to(DVec2::new(x, line.high), &mut polygon);
+            stroke.end(&mut polygon);
+        });
     }
+
+    /// Adds the samples of a line that is one path.
+    fn follow_long(&mut self, line: &LongLine<'_, Du>, columns: u32) {
+        let is_dense = line.len() > DENSE * columns as usize;
+        let Lines { mask, stroke, .. } = self;
+        let mut polygon = |ring: &[DVec2]| mask.polygon(ring);
+        let join = stroke.replace_join(|join| if is_dense { without_needles(join) } else { join });
+        let mut m4 = M4::new(TOLERANCE);
+        let done = line.pieces::<Infallible>(|piece| {
+            if is_dense {
+                piece.points.iter().for_each(|&p| m4.to(p, &mut |p| stroke.to(p, &mut polygon)));
+            } else {
+                piece.points.iter().for_each(|&p| stroke.to(p, &mut polygon));
+            }
+            Ok(())
+        });
+        let Ok(()) = done;
+        if is_dense {
+            m4.end(&mut |p| stroke.to(p, &mut polygon));
+        }
+        stroke.end(&mut polygon);
+        stroke.replace_join(|_| join);
+    }
+}
+
+/// The upright line that stands for a path no wider than the column that samples are in, if its corners look like its ends.
+fn upright(path: &[DVec2], stroke: &Stroke) -> Option<Upright> {
+    if !stroke.has_ends_like_corners() {
+        return None;
+    }
+    let (mut low, mut high) = (*path.first()?, *path.first()?);
+    for &p in path {
+        (low, high) = (low.min(p), high.max(p));
+    }
+    let side = high - low;
+    let is_upright = side.x <= TOLERANCE && side.y >= 4.0 * side.x && side.y > 0.0;
+    let x = (low.x + high.x) * (0.5 / TOLERANCE);
+    let column = x.floor() as i64;
+    (is_upright && path.iter().all(|p| p.is_finite())).then_some(Upright { column, low: low.y, high: high.y })
+}
+
+/// How corners of a line are joined from which vertices are left out: of the needles that miters make of one that goes to and
+/// fro most would be left out.
+fn without_needles(join: Join) -> Join {
+    if join == Join::Miter { Join::Bevel } else { join }
 }
 
 /// Pixels to be drawn together.
@@ -145,53 +215,11 @@ impl Once<'_> {
     }
 }
 
-/// Draws one segment that lies inside of the bitmap, by how much of each pixel the line covers across its main
-/// direction; `false` if that is not the way to draw it.
-fn lone(
-    bitmap: &mut Bitmap,
-    (a, b): (DVec2, DVec2),
-    width: f64,
-    cap: Cap,
-    (above, strength): (Pixel, u8),
-) -> bool {
-    let along = b - a;
-    let length = along.length();
-    let (columns, rows) = bitmap.size();
-    let (low, high) = (a.min(b) - 2.0 * width, a.max(b) + 2.0 * width);
-    let inside = low.min_element() >= 0.0 && high.x < f64::from(columns) && high.y < f64::from(rows);
-    if !(inside && width <= WIDEST_LONE && length >= 1.0) {
-        return false;
-    }
-    let steep = along.y.abs() > along.x.abs();
-    let turned = |p: DVec2| if steep { DVec2::new(p.y, p.x) } else { p };
-    let (from, to) = (turned(a), turned(b));
-    let (from, to) = if from.x <= to.x { (from, to) } else { (to, from) };
-    let run = to.x - from.x;
-    let slope = (to.y - from.y) / run;
-    let longer = if cap == Cap::Projecting { 0.5 * width * run / length } else { 0.0 };
-    let (start, end) = (from.x - longer, to.x + longer);
-    let half = 0.5 * width * length / run;
-    let (step, cross) = if steep { (columns as usize, 1) } else { (1, columns as usize) };
-    let pixels = bitmap.pixels_mut();
-    let weight = f64::from(strength);
-    for main in start as usize..=end as usize {
-        let (left, right) = (start.max(main as f64), end.min(main as f64 + 1.0));
-        let middle = from.y + ((left + right) * 0.5 - from.x) * slope;
-        let (top, bottom) = (middle - half, middle + half);
-        let part = (right - left) * weight;
-        let line = &mut pixels[main * step..];
-        for at in top as usize..=bottom as usize {
-            let covered = bottom.min(at as f64 + 1.0) - top.max(at as f64);
-            over(&mut line[at * cross], above, (covered * part + 0.5) as u8);
-        }
-    }
-    true
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use gks_pipeline::colour::{Colour, Paint};
+    use gks_pipeline::look::Cap;
 
     const BLACK: Paint = Paint { colour: Colour::BLACK, index: 1 };
 
@@ -229,12 +257,16 @@ mod tests {
 
     #[test]
     fn a_lone_segment_looks_like_one_of_many() {
-        for end in [(80.2, 31.7), (40.9, 88.8), (20.3, 60.1), (71.4, 20.2)] {
-            let (a, b) = (DVec2::new(20.3, 20.8), DVec2::from(end));
-            let lone = drawn(&[a, b], BLACK, 1.0, Cap::Butt, Join::Bevel);
-            let many = drawn(&[a, a.lerp(b, 0.4), b], BLACK, 1.0, Cap::Butt, Join::Bevel);
-            let far = lone.iter().zip(&many).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
-            assert!(far < 0.3, "{b}: {far}");
+        for end in [(80.2, 31.7), (40.9, 88.8), (20.3, 60.1), (71.4, 20.2), (23.1, 22.9), (13.3, 14.2)] {
+            for (cap, width) in
+                [(Cap::Butt, 1.0), (Cap::Round, 1.0), (Cap::Projecting, 1.0), (Cap::Round, 1.9)]
+            {
+                let (a, b) = (DVec2::new(20.3, 20.8), DVec2::from(end));
+                let lone = drawn(&[a, b], BLACK, width, cap, Join::Bevel);
+                let many = drawn(&[a, a.lerp(b, 0.4), b], BLACK, width, cap, Join::Bevel);
+                let far = lone.iter().zip(&many).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+                assert!(far < 0.15, "{b} {cap:?} {width}: {far}");
+            }
         }
     }
 
@@ -249,6 +281,33 @@ mod tests {
             .collect();
         let found = ink(&band, 1.0, Cap::Butt);
         assert!((found - 51.0 * 5.0).abs() < 6.0, "{found}");
+    }
+
+    #[test]
+    fn many_upright_dashes_look_like_each_of_them() {
+        for (cap, join) in [(Cap::Round, Join::Round), (Cap::Butt, Join::Miter)] {
+            let dashes: Vec<[DVec2; 2]> = (0..2000u32)
+                .map(|i| {
+                    let i = f64::from(i);
+                    let at = DVec2::new(10.0 + i * 0.03, 20.0 + 60.0 * (i * 0.37).sin().abs());
+                    [at, at + DVec2::new(0.02, 5.0)]
+                })
+                .collect();
+            let pen = Pen { paint: BLACK, width: 3.0, dash: &[], cap, join };
+            let ends: Vec<u32> = (1..=2000).map(|i| 2 * i).collect();
+            let mut pictures = [100, 6400].map(|columns| {
+                let mut bitmap = Bitmap::new(columns, 100);
+                bitmap.fill([255; 4]);
+                Lines::new().draw(&mut bitmap, Paths::new(dashes.as_flattened(), &ends), &pen);
+                let rows = bitmap.pixels().chunks(columns as usize).flat_map(|row| &row[..100]);
+                rows.map(|p| f64::from(p[1])).collect::<Vec<_>>()
+            });
+            let [reduced, all] = &mut pictures;
+            assert!(reduced != all, "the path of 4000 points should be dense on 100 columns");
+            let error: f64 = reduced.iter().zip(all.iter()).map(|(a, b)| (a - b).powi(2)).sum();
+            let psnr = 10.0 * (255.0 * 255.0 * reduced.len() as f64 / error).log10();
+            assert!(psnr > 34.0, "{cap:?} {psnr}");
+        }
     }
 
     #[test]

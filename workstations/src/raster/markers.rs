@@ -16,6 +16,8 @@ use std::f64::consts::TAU;
 const WIDEST_DOT: f64 = 1.5;
 /// The most sets of stamps that are kept.
 const MOST_SETS: usize = 16;
+/// Places of the origin of a marker along one side of a pixel: as many as there are samples.
+const PLACES: i32 = 8;
 /// Rows of a band.
 const BAND: u32 = 32;
 /// Markers fewer than this are not sorted.
@@ -72,7 +74,7 @@ struct Set {
     width: f64,
     shape: Vec<Vec<DVec2>>,
     filled: bool,
-    stamps: Stamps,
+    stamps: Stamps<PLACES>,
 }
 
 impl Set {

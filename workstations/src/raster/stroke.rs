@@ -87,6 +87,14 @@ impl Stroke {
         std::mem::replace(&mut self.join, join)
     }
 
+    /// Whether the corner of a line that turns back looks like the end of a line.
+    pub(super) fn has_ends_like_corners(&self) -> bool {
+        match self.join {
+            Join::Round => self.cap == Cap::Round,
+            Join::Miter | Join::Bevel => self.cap == Cap::Butt,
+        }
+    }
+
     /// How far the polygons of a pen reach from the points of a path.
     pub(super) fn reach(&self) -> f64 {
         self.half * if self.join == Join::Miter { MITER_LIMIT } else { 1.5 }

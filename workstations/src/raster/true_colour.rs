@@ -2,11 +2,12 @@
 
 use super::aliased::{Aliased, rule};
 use super::bitmap::Bitmap;
-use super::cells;
+use super::cells::{self, Extent};
 use super::clip::Window;
 use super::composite::{Pixel, colour, over, pixel};
 use super::describe::{Layout, SizeError};
 use super::encode::{self, Care, Format, Samples};
+use super::letters::Letters;
 use super::lines::Lines;
 use super::markers::Markers;
 use super::pattern;
@@ -14,19 +15,22 @@ use crate::options::Options;
 use gks_algorithms::coverage::AreaMask;
 use gks_algorithms::path;
 use gks_algorithms::rect::IRect;
-use gks_geometry::{Du, Paths, Rect};
+use gks_geometry::{Du, LongLine, PathBuf, Paths, Rect};
 use gks_pipeline::colour::{Colour, Paint};
 use gks_pipeline::device::{
-    Device, DeviceError, Drawn, Fill, Form, FrameBuffer, Grid, Mark, Page, Pen, Rule, Sink, Surface,
+    Device, DeviceError, Drawn, Fill, Form, FrameBuffer, Grid, Mark, Page, Palette, Pen, Rule, Sink, Surface,
 };
-use gks_pipeline::item::Parallelogram;
+use gks_pipeline::item::{Cells, Parallelogram};
 use glam::IVec2;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+/// What the arithmetic of maps may lose, in pixels.
+const LAST_DIGITS: f64 = 1e-6;
+
 /// A frame buffer of colours, which may be written as an image file for each page.
 ///
-/// It draws solid lines, markers, areas, patterns and cells; what is left to the pipeline is text, dashes, curves, and the
-/// exact clipping of everything but cells and patterns.
+/// It draws solid lines, markers, characters of stroke fonts, areas, patterns and cells; what is left to the pipeline are
+/// other characters, dashes, curves, and the exact clipping of everything but cells and patterns.
 pub struct TrueColour {
     layout: Layout,
     surface: Surface,
@@ -40,6 +44,7 @@ pub struct TrueColour {
     output: Option<(Box<dyn Sink>, Format)>,
     lines: Lines,
     markers: Markers,
+    letters: Letters,
     areas: AreaMask,
     aliased: Aliased,
 }
@@ -86,6 +91,7 @@ impl TrueColour {
             output,
             lines: Lines::new(),
             markers: Markers::new(),
+            letters: Letters::new(),
             areas: AreaMask::new(),
             aliased: Aliased::new(),
         })
@@ -110,7 +116,8 @@ impl TrueColour {
 
     /// Whether a clipping rectangle takes nothing away of the frame buffer.
     fn leaves_all(&self, clip: Option<Rect<Du>>) -> bool {
-        clip.is_none_or(|clip| clip.contains_rect(&self.surface.extent()))
+        // The maps that lead to device units leave their last digits in its edges.
+        clip.is_none_or(|clip| clip.grown(LAST_DIGITS).contains_rect(&self.surface.extent()))
     }
 
     fn lines(&mut self, paths: Paths<'_, Du>, pen: &Pen<'_>) {
@@ -131,6 +138,15 @@ impl TrueColour {
         }
     }
 
+    fn long_line(&mut self, line: &LongLine<'_, Du>, pen: &Pen<'_>) {
+        if self.antialias {
+            return self.lines.draw_long(&mut lock(&self.canvas), line, pen);
+        }
+        let mut paths = PathBuf::new();
+        paths.add_pieces(line);
+        self.lines(paths.as_paths(), pen);
+    }
+
     /// Fills rings with one colour.
     ///
     /// Where two areas share a pixel, each covers a part of it, and what is below shows through both. So a pixel of an
@@ -142,10 +158,11 @@ impl TrueColour {
         let raster = self.raster();
         let mut put = |row: i32, from: i32, to: i32, covered: u8| {
             let line = canvas.span(row as usize, from as usize..to as usize);
-            if covered == 255 && above[3] == 255 {
-                line.fill(above);
-            } else {
-                line.iter_mut().for_each(|below| over(below, above, covered));
+            match line {
+                // Most runs are a pixel of the boundary.
+                [below] => over(below, above, covered),
+                _ if covered == 255 && above[3] == 255 => line.fill(above),
+                _ => line.iter_mut().for_each(|below| over(below, above, covered)),
             }
         };
         if !self.antialias {
@@ -177,26 +194,75 @@ impl TrueColour {
     }
 
     fn cells(&self, frame: &Parallelogram<Du>, grid: &Grid<'_>, window: &Window) {
+        if grid.columns.checked_mul(grid.rows).is_none_or(|count| count > grid.paints.len()) {
+            return;
+        }
+        let opaque = grid.paints.iter().all(|paint| paint.colour.to_bytes()[3] == 255);
+        let mut held = (usize::MAX, [0; 4]);
+        let mut colour = |place: usize| {
+            if place != held.0 {
+                held = (place, pixel(grid.paints[place].colour));
+            }
+            held.1
+        };
         let mut canvas = lock(&self.canvas);
         let width = canvas.size().0 as usize;
-        let opaque = grid.paints.iter().all(|paint| paint.colour.to_bytes()[3] == 255);
-        let pixels = std::cell::RefCell::new(canvas.pixels_mut());
-        cells::draw(
-            window.centred(),
-            frame,
-            grid,
-            |paint| pixel(paint.colour),
-            |column, row, above: Pixel| {
-                over(&mut pixels.borrow_mut()[row as usize * width + column as usize], above, 255);
-            },
-            |columns, row| {
-                if opaque {
-                    let before = (row as usize - 1) * width + columns.start as usize;
-                    pixels.borrow_mut().copy_within(before..before + columns.len(), before + width);
+        let extent = Extent { columns: grid.columns, rows: grid.rows, stride: grid.columns };
+        cells::lines(window.centred(), frame, extent, |line| {
+            let pixels = line.pixels(width);
+            if line.again && opaque {
+                let above = pixels.start - width..pixels.end - width;
+                return canvas.pixels_mut().copy_within(above, pixels.start);
+            }
+            let below = &mut canvas.pixels_mut()[pixels];
+            below.iter_mut().zip(line.places()).for_each(|(below, place)| over(below, colour(place), 255));
+        });
+    }
+
+    /// Draws cells of colour indices. Those from 0 to 255 are looked up in a table of pixels.
+    fn indexed_cells(
+        &self,
+        frame: &Parallelogram<Du>,
+        cells: &Cells<'_>,
+        palette: &Palette<'_>,
+        window: &Window,
+    ) {
+        let shown = |index: i32| pixel(palette.paint(index).colour);
+        let table: [Pixel; 256] = std::array::from_fn(|index| shown(index as i32));
+        let opaque = table.iter().all(|pixel| pixel[3] == 255);
+        let (indices, stride) = cells.indices();
+        let mut plain = false;
+        let mut canvas = lock(&self.canvas);
+        let width = canvas.size().0 as usize;
+        let extent = Extent { columns: cells.columns, rows: cells.rows, stride };
+        cells::lines(window.centred(), frame, extent, |line| {
+            let pixels = line.pixels(width);
+            if line.again && plain {
+                let above = pixels.start - width..pixels.end - width;
+                return canvas.pixels_mut().copy_within(above, pixels.start);
+            }
+            let below = &mut canvas.pixels_mut()[pixels];
+            let row = &indices[line.base..];
+            let is_known = |index: i32| index & 255 == index;
+            if opaque && line.consecutive && !below.is_empty() {
+                let row = &row[line.offsets[0]..][..below.len()];
+                plain = is_known(row.iter().fold(0, |bits, index| bits | index));
+                if plain {
+                    let pairs = below.iter_mut().zip(row);
+                    return pairs.for_each(|(below, &index)| *below = table[usize::from(index as u8)]);
                 }
-                opaque
-            },
-        );
+            }
+            plain = opaque;
+            for (below, &offset) in below.iter_mut().zip(line.offsets) {
+                let index = row[offset];
+                if is_known(index) {
+                    over(below, table[usize::from(index as u8)], 255);
+                } else {
+                    plain = false;
+                    over(below, shown(index), 255);
+                }
+            }
+        });
     }
 }
 
@@ -225,6 +291,7 @@ impl Device for TrueColour {
         let (width, height) = (self.layout.width, self.layout.height);
         match (&mark.form, mark.clip) {
             (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(*paths, pen),
+            (Form::LongLine(line, pen), None) if pen.dash.is_empty() => self.long_line(line, pen),
             (Form::Area(rings, by, Fill::Solid(paint)), None) => self.area(*rings, *by, paint),
             (Form::Area(rings, by, Fill::Pattern(frame, grid)), clip) => {
                 self.pattern((*rings, rule(*by)), clip, (frame, grid));
@@ -234,8 +301,16 @@ impl Device for TrueColour {
             {
                 self.markers.draw(&mut lock(&self.canvas), positions, style);
             }
+            (Form::StrokeText(text), clip)
+                if self.antialias && Letters::can(text) && self.leaves_all(clip) =>
+            {
+                self.letters.draw(&mut lock(&self.canvas), text);
+            }
             (Form::Cells(frame, grid), clip) => {
                 self.cells(frame, grid, &Window::new(clip, width, height, self.antialias));
+            }
+            (Form::IndexedCells(frame, cells, palette), clip) => {
+                self.indexed_cells(frame, cells, palette, &Window::new(clip, width, height, self.antialias));
             }
             _ => return Ok(Drawn::No),
         }

@@ -194,7 +194,11 @@ impl Device for Svg {
                 }
             }
             Form::Cells(place, grid) => cells::cells(document, clip, place, grid)?,
-            Form::Area(_, _, Fill::Pattern(..)) | Form::Markers(..) | Form::Text(_) => return Ok(Drawn::No),
+            Form::Area(_, _, Fill::Pattern(..))
+            | Form::Markers(..)
+            | Form::Text(_)
+            | Form::StrokeText(_)
+            | Form::IndexedCells(..) => return Ok(Drawn::No),
         }
         document.spill()?;
         Ok(Drawn::Yes)

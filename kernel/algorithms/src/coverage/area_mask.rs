@@ -1,7 +1,7 @@
 //! Exact areas, after E. Catmull, "A hidden-surface algorithm with anti-aliasing", SIGGRAPH 1978; kept as signed areas
 //! of edges in cells that are summed up along each row, as R. Levien's libart (1998) and FreeType do.
 
-use crate::path::{Rule, ring_edges};
+use crate::path::{Rule, ring_edges, subpaths};
 use crate::rect::IRect;
 use glam::DVec2;
 
@@ -51,7 +51,13 @@ impl AreaMask {
         }
         self.begin(window);
         let (corner, size) = (window.min.as_dvec2(), (window.max - window.min).as_dvec2());
-        ring_edges(points, ends, |a, b| self.edge(a - corner, b - corner, size));
+        let far = window.max.as_dvec2();
+        // Not all of them if one is no number.
+        if points.iter().all(|p| p.x >= corner.x && p.x <= far.x && p.y >= corner.y && p.y <= far.y) {
+            self.whole_rings(points, ends, corner);
+        } else {
+            ring_edges(points, ends, |a, b| self.edge(a - corner, b - corner, size));
+        }
         for row in self.rows.0..self.rows.1 {
             let y = window.min.y + row as i32;
             self.sweep(row, rule, |from, to, covered| {
@@ -63,7 +69,7 @@ impl AreaMask {
     fn begin(&mut self, window: IRect) {
         self.width = (window.max.x - window.min.x) as usize;
         self.height = (window.max.y - window.min.y) as usize;
-        self.words = self.width / 64 + 1;
+        self.words = (self.width + 1) / 64 + 1;
         let (cells, words) = ((self.width + 2) * self.height, self.words * self.height);
         if self.cells.len() < cells {
             self.cells.resize(cells, 0);
@@ -72,6 +78,23 @@ impl AreaMask {
             self.touched.resize(words, 0);
         }
         self.rows = (self.height, 0);
+    }
+
+    /// Enters all edges of rings inside of the window, whose vertices are rounded once.
+    fn whole_rings(&mut self, points: &[DVec2], ends: &[u32], corner: DVec2) {
+        for ring in subpaths(points, ends) {
+            let Some(&last) = ring.last() else { continue };
+            let mut before = fixed(last - corner);
+            for &vertex in ring {
+                let here = fixed(vertex - corner);
+                if before.1 < here.1 {
+                    self.line(before, here, 1);
+                } else {
+                    self.line(here, before, -1);
+                }
+                before = here;
+            }
+        }
     }
 
     /// Enters an edge, cut to the window. What lies left of it counts at its left side, what lies right of it not at all.
@@ -116,66 +139,60 @@ impl AreaMask {
         if y0 == y1 {
             return;
         }
-        let (first, last) = ((y0 / STEPS) as usize, ((y1 - 1) / STEPS) as usize);
+        let row = |y: i32| y as usize / STEPS as usize;
+        let (first, last) = (row(y0), row(y1 - 1));
         self.rows = (self.rows.0.min(first), self.rows.1.max(last + 1));
         if first == last {
             return self.piece(first, (x0, x1), (y1 - y0) * turn);
         }
         let slope = f64::from(x1 - x0) / f64::from(y1 - y0);
         let (mut x, mut y) = (x0, y0);
-        for row in first..=last {
-            let (next_x, next_y) = if row == last {
-                (x1, y1)
-            } else {
-                let below = (row as i32 + 1) * STEPS;
-                (x0 + (f64::from(below - y0) * slope) as i32, below)
-            };
-            self.piece(row, (x, next_x), (next_y - y) * turn);
-            (x, y) = (next_x, next_y);
+        for row in first..last {
+            let below = (row as i32 + 1) * STEPS;
+            let next = x0 + (f64::from(below - y0) * slope) as i32;
+            self.piece(row, (x, next), (below - y) * turn);
+            (x, y) = (next, below);
         }
+        self.piece(last, (x, x1), (y1 - y) * turn);
     }
 
     /// Enters the part of a line in one row, which goes down by `rise` steps.
     #[inline]
     fn piece(&mut self, row: usize, (x0, x1): (i32, i32), rise: i32) {
-        let cells = &mut self.cells[row * (self.width + 2)..][..self.width + 2];
-        let touched = &mut self.touched[row * self.words..][..self.words];
-        let width = self.width;
-        let mut enter = |column: i32, places: i32, rise: i32| {
-            let column = column as usize;
-            // What lies right of the middle of the two ends is covered, and all of the next pixel.
+        let (left, right) = if x0 <= x1 { (x0, x1) } else { (x1, x0) };
+        let column = |x: i32| x as usize / STEPS as usize;
+        let (first, last) = (column(left), column((right - 1).max(left)));
+        touch(&mut self.touched[row * self.words..][..self.words], first, last + 1);
+        let start = row * (self.width + 2) + first;
+        let cells = &mut self.cells[start..start + last - first + 2];
+        // What lies right of the middle of the two ends is covered, and all of the next pixel.
+        let mut enter = |column: usize, places: i32, rise: i32| {
             cells[column] += rise * (2 * STEPS - places);
             cells[column + 1] += rise * places;
-            for cell in [column, column + 1] {
-                if cell < width {
-                    touched[cell >> 6] |= 1 << (cell & 63);
-                }
-            }
         };
-        let (left, right) = if x0 <= x1 { (x0, x1) } else { (x1, x0) };
-        let (first, last) = (left / STEPS, (right - 1).max(left) / STEPS);
+        let base = first as i32 * STEPS;
+        let (left, right) = (left - base, right - base);
         if first == last {
-            let base = first * STEPS;
-            return enter(first, left + right - 2 * base, rise);
+            return enter(0, left + right, rise);
         }
         let slope = f64::from(rise) / f64::from(right - left);
         let (mut x, mut sum) = (left, 0);
-        for column in first..=last {
-            let base = column * STEPS;
-            let (next, total) = if column == last {
-                (right, rise)
-            } else {
-                (base + STEPS, (f64::from(base + STEPS - left) * slope) as i32)
-            };
-            enter(column, x + next - 2 * base, total - sum);
-            (x, sum) = (next, total);
+        for column in 0..last - first {
+            let base = column as i32 * STEPS;
+            let total = (f64::from(base + STEPS - left) * slope) as i32;
+            enter(column, x - base + STEPS, total - sum);
+            (x, sum) = (base + STEPS, total);
         }
+        enter(last - first, x + right - 2 * (last - first) as i32 * STEPS, rise - sum);
     }
 
     /// Sums up a row, gives its runs and empties it.
     fn sweep(&mut self, row: usize, rule: Rule, mut run: impl FnMut(i32, i32, u8)) {
         let cells = &mut self.cells[row * (self.width + 2)..][..self.width + 2];
         let touched = &mut self.touched[row * self.words..][..self.words];
+        // What is entered right of the window counts for nothing.
+        touched[self.width >> 6] &= !(u64::MAX << (self.width & 63));
+        touched[(self.width >> 6) + 1..].fill(0);
         let (mut sum, mut covered, mut from) = (0i32, 0, 0);
         for (word, bits) in touched.iter_mut().enumerate() {
             let mut left = std::mem::take(bits);
@@ -199,6 +216,20 @@ impl AreaMask {
             run(from as i32, self.width as i32, covered);
         }
         cells[self.width..].fill(0);
+    }
+}
+
+/// Sets the bits of cells, the last one included.
+#[inline]
+fn touch(touched: &mut [u64], first: usize, last: usize) {
+    let (from, to) = (u64::MAX << (first & 63), u64::MAX >> (63 - (last & 63)));
+    let (one, other) = (first >> 6, last >> 6);
+    if one == other {
+        touched[one] |= from & to;
+    } else {
+        touched[one] |= from;
+        touched[one + 1..other].fill(u64::MAX);
+        touched[other] |= to;
     }
 }
 

@@ -10,22 +10,44 @@ use glam::DVec2;
 /// however much its y leaps; of any other it leaves out little. A column as wide as a pixel changes hardly a pixel of the
 /// line drawn, while the vertices drop to four for each column.
 pub fn m4(path: impl IntoIterator<Item = DVec2>, tolerance: f64, mut emit: impl FnMut(DVec2)) {
-    // Nothing lies in the column of no run.
-    let mut run = Run::new(DVec2::NAN, (1.0, 0.0));
-    path.into_iter().for_each(|p| {
-        if run.column.0 <= p.x && p.x < run.column.1 && p.y.abs() <= LARGEST {
-            return run.take(p);
+    let mut m4 = M4::new(tolerance);
+    path.into_iter().for_each(|p| m4.to(p, &mut emit));
+    m4.end(&mut emit);
+}
+
+/// The reduction of [`m4`] of a path that comes vertex by vertex.
+pub struct M4 {
+    tolerance: f64,
+    run: Run,
+}
+
+impl M4 {
+    /// Begins with no vertex.
+    pub fn new(tolerance: f64) -> Self {
+        // Nothing lies in the column of no run.
+        M4 { tolerance, run: Run::new(DVec2::NAN, (1.0, 0.0)) }
+    }
+
+    /// Goes on to the next vertex.
+    #[inline]
+    pub fn to(&mut self, p: DVec2, emit: &mut impl FnMut(DVec2)) {
+        if self.run.column.0 <= p.x && p.x < self.run.column.1 && p.y.abs() <= LARGEST {
+            return self.run.take(p);
         }
-        run.give(&mut emit);
-        let left = (p.x / tolerance).floor() * tolerance;
-        if is_usable(p) && left.is_finite() && tolerance > 0.0 {
-            run = Run::new(p, (left, left + tolerance));
+        self.run.give(emit);
+        let left = (p.x / self.tolerance).floor() * self.tolerance;
+        if is_usable(p) && left.is_finite() && self.tolerance > 0.0 {
+            self.run = Run::new(p, (left, left + self.tolerance));
         } else {
-            run = Run::new(DVec2::NAN, (1.0, 0.0));
+            self.run = Run::new(DVec2::NAN, (1.0, 0.0));
             emit(p);
         }
-    });
-    run.give(&mut emit);
+    }
+
+    /// Ends the path.
+    pub fn end(self, emit: &mut impl FnMut(DVec2)) {
+        self.run.give(emit);
+    }
 }
 
 /// Vertices one after the other in one column; the extremes with their places in the run.

@@ -13,6 +13,7 @@
 mod bresenham;
 mod dash;
 mod dda;
+mod klee;
 mod m4;
 mod octant;
 mod sklansky_gonzalez;
@@ -20,7 +21,8 @@ mod sklansky_gonzalez;
 pub use bresenham::bresenham;
 pub use dash::dash;
 pub use dda::dda;
-pub use m4::m4;
+pub use klee::{Upright, klee};
+pub use m4::{M4, m4};
 pub use sklansky_gonzalez::sklansky_gonzalez;
 
 #[cfg(test)]

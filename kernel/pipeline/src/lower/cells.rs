@@ -1,20 +1,17 @@
 //! Cell arrays: paints for the cells, and areas for devices without cells.
 
 use crate::colour::Paint;
-use crate::device::{DeviceError, Grid, Rule};
+use crate::device::{DeviceError, Grid, Palette, Rule};
 use crate::item::{Cells, Parallelogram};
 use crate::painter::{Canvas, Painter};
-use crate::tables::Tables;
 use gks_geometry::{Du, PathBuf, Rect};
 use std::collections::BTreeMap;
 
-/// Resolves the colour indices of cells; a negative index is drawn as index 1, like one without an entry.
-pub(crate) fn paints(cells: &Cells<'_>, tables: &Tables, out: &mut Vec<Paint>) {
+/// Resolves the colour indices of cells.
+pub(crate) fn paints(cells: &Cells<'_>, palette: &Palette<'_>, out: &mut Vec<Paint>) {
     out.clear();
-    let opacity = tables.opacity.areas;
-    let paint = |&i: &i32| tables.translucent(u32::try_from(i).unwrap_or(u32::MAX), opacity);
     for row in 0..cells.rows {
-        out.extend(cells.row(row).iter().map(paint));
+        out.extend(cells.row(row).iter().map(|&index| palette.paint(index)));
     }
 }
 

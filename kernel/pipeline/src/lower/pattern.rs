@@ -1,7 +1,7 @@
 //! Patterns: their place and paints, and clipped cells for devices without patterns.
 
 use crate::colour::Paint;
-use crate::device::{DeviceError, Grid, Rule};
+use crate::device::{DeviceError, Grid, Palette, Rule};
 use crate::item::Parallelogram;
 use crate::look::Look;
 use crate::lower;
@@ -41,9 +41,8 @@ pub(crate) fn place(look: &Look, index: i32, canvas: &Canvas<'_>, paints: &mut V
         return None;
     }
     paints.clear();
-    let opacity = canvas.tables.opacity.areas;
-    let paint = |&i: &i32| canvas.tables.translucent(u32::try_from(i).unwrap_or(u32::MAX), opacity);
-    paints.extend(pattern.indices.iter().map(paint));
+    let palette = Palette { tables: canvas.tables };
+    paints.extend(pattern.indices.iter().map(|&index| palette.paint(index)));
     let origin = canvas.map.point(geometry.reference) + height;
     Some(Place {
         place: Parallelogram { origin, columns: width, rows: -height },

@@ -5,7 +5,7 @@
 //! stretched and skewed as its attributes say, on every device alike.
 
 use crate::colour::Paint;
-use crate::device::{DeviceError, Drawn, Form, Glyph, GlyphRun, Pen, Rule};
+use crate::device::{DeviceError, Drawn, Form, Glyph, GlyphRun, Pen, Rule, StrokeCharacter, StrokeText};
 use crate::font::{self, FaceGlyph, Layout, OutlineFace, PlacedGlyph, TextStyle, Verb};
 use crate::look::{Cap, Join, Look, TextBundle, TextGeometry};
 use crate::lower::glow;
@@ -84,7 +84,7 @@ fn glyphs(
     canvas: &mut Canvas<'_>,
 ) -> Result<(), DeviceError> {
     let pens = canvas.surface.pen.is_some();
-    strokes(painter, text, layout, frame, paint, pens, clip, canvas)?;
+    strokes(painter, text, layout, frame, paint, crossing, clip, canvas)?;
     if pens {
         return Ok(());
     }
@@ -104,7 +104,7 @@ fn glyphs(
     Ok(())
 }
 
-/// Draws the glyphs of stroke fonts, and with `pens` the substitutes of outline glyphs.
+/// Draws the glyphs of stroke fonts, and on devices with pens the substitutes of outline glyphs.
 #[allow(clippy::too_many_arguments, reason = "one call, split off for the length of its body")]
 fn strokes(
     painter: &mut Painter,
@@ -112,36 +112,61 @@ fn strokes(
     layout: &Layout,
     frame: Frame,
     paint: Paint,
-    pens: bool,
+    crossing: bool,
     clip: &Rect<Du>,
     canvas: &mut Canvas<'_>,
 ) -> Result<(), DeviceError> {
-    let mut lines = std::mem::take(&mut painter.lowered);
-    lines.clear();
-    for placed in &layout.glyphs {
-        let (glyph, widening) = match placed.glyph {
-            FaceGlyph::Stroke(glyph) => (glyph, layout.expansion),
-            FaceGlyph::Outline(face, _) if pens => {
-                let character = text.get(placed.cluster as usize..).and_then(|t| t.chars().next());
-                let Some(glyph) = character.and_then(|c| face.pen_substitute().glyph(c)) else { continue };
-                // The substitute takes the room of the character that it stands for.
-                let fits = glyph.advance > 0.0;
-                (glyph, if fits { placed.advance / glyph.advance } else { layout.expansion })
-            }
-            FaceGlyph::Outline(..) => continue,
-        };
-        for stroke in glyph.strokes() {
-            lines.add(stroke.iter().map(|p| frame.at(placed.origin + DVec2::new(p.x * widening, p.y))));
-        }
-    }
     let width = canvas.surface.nominal_linewidth();
     let pen = match canvas.glow {
         true => glow::pen(width, canvas),
         false => Pen { paint, width, dash: &[], cap: Cap::Round, join: Join::Round },
     };
-    let done = painter.lines(lines.as_paths(), &pen, clip, canvas);
-    painter.lowered = lines;
+    let mut characters = std::mem::take(&mut painter.characters);
+    characters.clear();
+    characters.extend(layout.glyphs.iter().filter_map(|placed| match placed.glyph {
+        FaceGlyph::Stroke(glyph) => {
+            Some(StrokeCharacter { glyph, origin: Point::from_vec(frame.at(placed.origin)) })
+        }
+        FaceGlyph::Outline(..) => None,
+    }));
+    let (x, y) = (Vector::from_vec(frame.x * layout.expansion), Vector::from_vec(frame.y));
+    let run = StrokeText { characters: &characters, x, y, pen };
+    let offered = match canvas.glow || characters.is_empty() {
+        true => Ok(Drawn::No),
+        false => canvas.offer(Form::StrokeText(run), crossing.then_some(*clip)),
+    };
+    let done = match offered {
+        Ok(Drawn::Yes) => Ok(()),
+        Ok(Drawn::No) => {
+            let mut lines = std::mem::take(&mut painter.lowered);
+            lines.clear();
+            run.add_to(&mut lines);
+            if canvas.surface.pen.is_some() {
+                substitutes(text, layout, frame, &mut lines);
+            }
+            let done = painter.lines(lines.as_paths(), &pen, clip, canvas);
+            painter.lowered = lines;
+            done
+        }
+        Err(error) => Err(error),
+    };
+    painter.characters = characters;
     done
+}
+
+/// Adds the strokes that a pen draws in the place of outline glyphs.
+fn substitutes(text: &str, layout: &Layout, frame: Frame, lines: &mut PathBuf<Du>) {
+    for placed in &layout.glyphs {
+        let FaceGlyph::Outline(face, _) = placed.glyph else { continue };
+        let character = text.get(placed.cluster as usize..).and_then(|t| t.chars().next());
+        let Some(glyph) = character.and_then(|c| face.pen_substitute().glyph(c)) else { continue };
+        // The substitute takes the room of the character that it stands for.
+        let fits = glyph.advance > 0.0;
+        let widening = if fits { placed.advance / glyph.advance } else { layout.expansion };
+        for stroke in glyph.strokes() {
+            lines.add(stroke.iter().map(|p| frame.at(placed.origin + DVec2::new(p.x * widening, p.y))));
+        }
+    }
 }
 
 #[allow(clippy::too_many_arguments, reason = "one call, split off for the length of its body")]
