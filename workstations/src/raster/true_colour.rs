@@ -22,6 +22,7 @@ use gks_pipeline::device::{
 };
 use gks_pipeline::item::{Cells, Parallelogram};
 use glam::IVec2;
+use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// What the arithmetic of maps may lose, in pixels.
@@ -156,8 +157,8 @@ impl TrueColour {
         let mut canvas = lock(&self.canvas);
         let above = pixel(paint.colour);
         let raster = self.raster();
-        let mut put = |row: i32, from: i32, to: i32, covered: u8| {
-            let line = canvas.span(row as usize, from as usize..to as usize);
+        let put = |canvas: &mut Bitmap, row: i32, columns: Range<i32>, covered: u8| {
+            let line = canvas.span(row as usize, columns.start as usize..columns.end as usize);
             match line {
                 // Most runs are a pixel of the boundary.
                 [below] => over(below, above, covered),
@@ -166,16 +167,18 @@ impl TrueColour {
             }
         };
         if !self.antialias {
-            return self.aliased.area(rings, rule(by), raster, |row, from, to| put(row, from, to, 255));
+            let put = |row: i32, from: i32, to: i32| put(&mut canvas, row, from..to, 255);
+            return self.aliased.area(rings, rule(by), raster, put);
         }
         let Some(bounds) = rings.bounds() else { return };
         let (columns, rows) =
             Window::new(None, self.layout.width, self.layout.height, true).touched_by(&bounds);
         let corner = |column: u32, row: u32| IVec2::new(column as i32, row as i32);
+        canvas.touch(columns.clone(), rows.clone());
         let window = IRect::new(corner(columns.start, rows.start), corner(columns.end, rows.end));
         let times = if by == Rule::EvenOdd && above[3] == 255 { 2 } else { 1 };
         self.areas.runs(rings.points, rings.ends, rule(by), window, |row, from, to, covered| {
-            put(row, from, to, covered.saturating_mul(times));
+            put(&mut canvas, row, from..to, covered.saturating_mul(times));
         });
     }
 
