@@ -4,7 +4,7 @@ use super::aliased::{Aliased, rule};
 use super::bitmap::Bitmap;
 use super::cells::{self, Extent};
 use super::clip::Window;
-use super::composite::{Pixel, colour, over, pixel};
+use super::composite::{Pixel, colour, over, over_run, pixel};
 use super::describe::{Layout, SizeError};
 use super::encode::{self, Care, Format, Samples};
 use super::letters::Letters;
@@ -22,7 +22,6 @@ use gks_pipeline::device::{
 };
 use gks_pipeline::item::{Cells, Parallelogram};
 use glam::IVec2;
-use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// What the arithmetic of maps may lose, in pixels.
@@ -157,17 +156,10 @@ impl TrueColour {
         let mut canvas = lock(&self.canvas);
         let above = pixel(paint.colour);
         let raster = self.raster();
-        let put = |canvas: &mut Bitmap, row: i32, columns: Range<i32>, covered: u8| {
-            let line = canvas.span(row as usize, columns.start as usize..columns.end as usize);
-            match line {
-                // Most runs are a pixel of the boundary.
-                [below] => over(below, above, covered),
-                _ if covered == 255 && above[3] == 255 => line.fill(above),
-                _ => line.iter_mut().for_each(|below| over(below, above, covered)),
-            }
-        };
         if !self.antialias {
-            let put = |row: i32, from: i32, to: i32| put(&mut canvas, row, from..to, 255);
+            let put = |row: i32, from: i32, to: i32| {
+                over_run(canvas.span(row as usize, from as usize..to as usize), above, 255);
+            };
             return self.aliased.area(rings, rule(by), raster, put);
         }
         let Some(bounds) = rings.bounds() else { return };
@@ -178,7 +170,8 @@ impl TrueColour {
         let window = IRect::new(corner(columns.start, rows.start), corner(columns.end, rows.end));
         let times = if by == Rule::EvenOdd && above[3] == 255 { 2 } else { 1 };
         self.areas.runs(rings.points, rings.ends, rule(by), window, |row, from, to, covered| {
-            put(&mut canvas, row, from..to, covered.saturating_mul(times));
+            let run = canvas.span(row as usize, from as usize..to as usize);
+            over_run(run, above, covered.saturating_mul(times));
         });
     }
 

@@ -7,6 +7,8 @@ use glam::DVec2;
 
 /// Steps of a coordinate in a pixel.
 const STEPS: i32 = 256;
+/// What makes 1 in fixed-point numbers with 32 binary places.
+const FRACTION: f64 = (1_u64 << 32) as f64;
 /// A whole pixel: twice the area in steps.
 const WHOLE: i32 = 2 * STEPS * STEPS;
 
@@ -142,23 +144,30 @@ impl AreaMask {
         let row = |y: i32| y as usize / STEPS as usize;
         let (first, last) = (row(y0), row(y1 - 1));
         self.rows = (self.rows.0.min(first), self.rows.1.max(last + 1));
+        let (run, fall) = (f64::from(x1 - x0), f64::from(y1 - y0));
+        // How far down the line goes for each step aside; it leaves a row at once if that is more than a row.
+        let within = x0 / STEPS == x1 / STEPS;
+        let steepness = if within { 0 } else { ((fall / run.abs()).min(f64::from(STEPS)) * FRACTION) as i64 };
         if first == last {
-            return self.piece(first, (x0, x1), (y1 - y0) * turn);
+            return self.piece(first, (x0, x1), (y1 - y0) * turn, steepness);
         }
-        let slope = f64::from(x1 - x0) / f64::from(y1 - y0);
-        let (mut x, mut y) = (x0, y0);
+        let slope = (run / fall * FRACTION) as i64;
+        let below = (first as i32 + 1) * STEPS;
+        let mut exact = (i64::from(x0) << 32) + i64::from(below - y0) * slope;
+        let (mut x, mut rise) = (x0, below - y0);
         for row in first..last {
-            let below = (row as i32 + 1) * STEPS;
-            let next = x0 + (f64::from(below - y0) * slope) as i32;
-            self.piece(row, (x, next), (below - y) * turn);
-            (x, y) = (next, below);
+            let next = (exact >> 32) as i32;
+            self.piece(row, (x, next), rise * turn, steepness);
+            (x, rise) = (next, STEPS);
+            exact += slope * i64::from(STEPS);
         }
-        self.piece(last, (x, x1), (y1 - y) * turn);
+        self.piece(last, (x, x1), (y1 - last as i32 * STEPS) * turn, steepness);
     }
 
-    /// Enters the part of a line in one row, which goes down by `rise` steps.
+    /// Enters the part of a line in one row, which goes down by `rise` steps, and by `steepness` parts of [`FRACTION`]
+    /// for each step aside.
     #[inline]
-    fn piece(&mut self, row: usize, (x0, x1): (i32, i32), rise: i32) {
+    fn piece(&mut self, row: usize, (x0, x1): (i32, i32), rise: i32, steepness: i64) {
         let (left, right) = if x0 <= x1 { (x0, x1) } else { (x1, x0) };
         let column = |x: i32| x as usize / STEPS as usize;
         let (first, last) = (column(left), column((right - 1).max(left)));
@@ -175,15 +184,16 @@ impl AreaMask {
         if first == last {
             return enter(0, left + right, rise);
         }
-        let slope = f64::from(rise) / f64::from(right - left);
+        let (whole, sign) = (i64::from(rise.abs()), rise.signum());
+        let mut exact = i64::from(STEPS - left) * steepness;
         let (mut x, mut sum) = (left, 0);
         for column in 0..last - first {
-            let base = column as i32 * STEPS;
-            let total = (f64::from(base + STEPS - left) * slope) as i32;
-            enter(column, x - base + STEPS, total - sum);
-            (x, sum) = (base + STEPS, total);
+            let total = (exact >> 32).min(whole) as i32 * sign;
+            enter(column, x + STEPS, total - sum);
+            (x, sum) = (0, total);
+            exact += i64::from(STEPS) * steepness;
         }
-        enter(last - first, x + right - 2 * (last - first) as i32 * STEPS, rise - sum);
+        enter(last - first, x + right - (last - first) as i32 * STEPS, rise - sum);
     }
 
     /// Sums up a row, gives its runs and empties it.
