@@ -1,7 +1,7 @@
 //! Exact areas, after E. Catmull, "A hidden-surface algorithm with anti-aliasing", SIGGRAPH 1978; kept as signed areas
 //! of edges in cells that are summed up along each row, as R. Levien's libart (1998) and FreeType do.
 
-use crate::path::{Rule, ring_edges};
+use crate::path::{Rule, ring_edges, subpaths};
 use crate::rect::IRect;
 use glam::DVec2;
 
@@ -51,7 +51,12 @@ impl AreaMask {
         }
         self.begin(window);
         let (corner, size) = (window.min.as_dvec2(), (window.max - window.min).as_dvec2());
-        ring_edges(points, ends, |a, b| self.edge(a - corner, b - corner, size));
+        let far = corner + size;
+        if points.iter().all(|&p| p.cmpge(corner).all() && p.cmple(far).all()) {
+            subpaths(points, ends).for_each(|ring| self.ring(ring, corner));
+        } else {
+            ring_edges(points, ends, |a, b| self.edge(a - corner, b - corner, size));
+        }
         for row in self.rows.0..self.rows.1 {
             let y = window.min.y + row as i32;
             self.sweep(row, rule, |from, to, covered| {
@@ -63,7 +68,7 @@ impl AreaMask {
     fn begin(&mut self, window: IRect) {
         self.width = (window.max.x - window.min.x) as usize;
         self.height = (window.max.y - window.min.y) as usize;
-        self.words = self.width / 64 + 1;
+        self.words = (self.width + 2).div_ceil(64);
         let (cells, words) = ((self.width + 2) * self.height, self.words * self.height);
         if self.cells.len() < cells {
             self.cells.resize(cells, 0);
@@ -72,6 +77,21 @@ impl AreaMask {
             self.touched.resize(words, 0);
         }
         self.rows = (self.height, 0);
+    }
+
+    /// Enters the edges of a ring that lies inside of the window.
+    fn ring(&mut self, ring: &[DVec2], corner: DVec2) {
+        let Some(&last) = ring.last() else { return };
+        let mut from = fixed(last - corner);
+        for &p in ring {
+            let to = fixed(p - corner);
+            if from.1 <= to.1 {
+                self.line(from, to, 1);
+            } else {
+                self.line(to, from, -1);
+            }
+            from = to;
+        }
     }
 
     /// Enters an edge, cut to the window. What lies left of it counts at its left side, what lies right of it not at all.
@@ -140,16 +160,15 @@ impl AreaMask {
     fn piece(&mut self, row: usize, (x0, x1): (i32, i32), rise: i32) {
         let cells = &mut self.cells[row * (self.width + 2)..][..self.width + 2];
         let touched = &mut self.touched[row * self.words..][..self.words];
-        let width = self.width;
         let mut enter = |column: i32, places: i32, rise: i32| {
             let column = column as usize;
+            let Some([cell, next]) = cells.get_mut(column..column + 2) else { return };
             // What lies right of the middle of the two ends is covered, and all of the next pixel.
-            cells[column] += rise * (2 * STEPS - places);
-            cells[column + 1] += rise * places;
-            for cell in [column, column + 1] {
-                if cell < width {
-                    touched[cell >> 6] |= 1 << (cell & 63);
-                }
+            *cell += rise * (2 * STEPS - places);
+            *next += rise * places;
+            touched[column >> 6] |= 3 << (column & 63);
+            if column & 63 == 63 {
+                touched[(column >> 6) + 1] |= 1;
             }
         };
         let (left, right) = if x0 <= x1 { (x0, x1) } else { (x1, x0) };
@@ -182,6 +201,10 @@ impl AreaMask {
             while left != 0 {
                 let at = word * 64 + left.trailing_zeros() as usize;
                 left &= left - 1;
+                // The cells beyond the last pixel are there for its neighbours only.
+                if at >= self.width {
+                    break;
+                }
                 let now = sum.wrapping_add(std::mem::take(&mut cells[at]));
                 if now != sum {
                     sum = now;
