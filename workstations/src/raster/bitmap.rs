@@ -37,6 +37,27 @@ impl Bitmap {
         &mut self.pixels
     }
 
+    /// Reads pixels all over a small part of the bitmap that is about to be drawn on, with nothing in between, which brings
+    /// them from memory all at once.
+    pub(super) fn touch(&self, columns: &Range<u32>, rows: &Range<u32>) {
+        /// The most pixels worth it.
+        const SMALL: usize = 1 << 14;
+        /// The pixels that come together.
+        const LINE: usize = 16;
+        if columns.len() * rows.len() > SMALL {
+            return;
+        }
+        let mut read = 0;
+        for row in rows.clone() {
+            let start = row as usize * self.width;
+            let pixels = self.pixels.get(start + columns.start as usize..start + columns.end as usize);
+            for pixel in pixels.into_iter().flatten().step_by(LINE) {
+                read ^= u32::from_ne_bytes(*pixel);
+            }
+        }
+        std::hint::black_box(read);
+    }
+
     /// One pixel, or none outside of the bitmap.
     pub(super) fn pixel(&self, column: u32, row: u32) -> Option<Pixel> {
         let (column, row) = (column as usize, row as usize);
@@ -49,25 +70,6 @@ impl Bitmap {
         debug_assert!(columns.end <= self.width);
         let start = row * self.width;
         &mut self.pixels[start + columns.start..start + columns.end]
-    }
-
-    /// Reads something of every 64 bytes of the pixels in a window, with nothing in between: that brings them from
-    /// memory all at once, where one row after the other would have to be waited for. Large windows pay for themselves.
-    pub(super) fn touch(&self, columns: Range<u32>, rows: Range<u32>) {
-        const LINE: usize = 16;
-        const LARGE: usize = 128;
-        let [columns, rows] = [columns, rows].map(|range| range.start as usize..range.end as usize);
-        if columns.len() > LARGE || rows.len() > LARGE {
-            return;
-        }
-        let mut read = 0;
-        for row in rows {
-            for column in columns.clone().step_by(LINE) {
-                let place = row * self.width + column;
-                read ^= self.pixels.get(place).map_or(0, |pixel| u32::from_ne_bytes(*pixel));
-            }
-        }
-        std::hint::black_box(read);
     }
 
     /// The bytes of all pixels.
