@@ -4,7 +4,7 @@ use super::aliased::{Aliased, rule};
 use super::bitmap::Bitmap;
 use super::clip::Window;
 use super::coloured_cells;
-use super::composite::{colour, over, over_run, pixel};
+use super::composite::{colour, over_run, pixel};
 use super::describe::{Layout, SizeError};
 use super::encode::{self, Care, Format, Samples};
 use super::letters::Letters;
