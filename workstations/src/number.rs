@@ -153,7 +153,7 @@ impl Word {
         debug_assert!(matches!(decimal.places, 0 | 2) && count < 1000 * decimal.count() as u64);
         let negative = u32::from(steps < 0);
         let (before, mut bits) = before.map_or((0, 0), |character| (u64::from(character), 8));
-        let mut text = before | u64::from(b'-' as u32 * negative) << bits;
+        let mut text = before | u64::from(u32::from(b'-') * negative) << bits;
         bits += 8 * negative;
         let (integer, fraction) = match decimal.places {
             0 => (INTEGERS[count as usize % 10_000], 0),

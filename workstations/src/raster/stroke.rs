@@ -33,6 +33,9 @@ pub(super) struct Stroke {
     join: Join,
     /// The vertices of the polygon that stands for a disc around the origin.
     disc: Vec<DVec2>,
+    /// The angle of an arc that its chord stands for, and its cosine.
+    step: f64,
+    step_cos: f64,
     /// The polygon under construction.
     ring: Vec<DVec2>,
     first: DVec2,
@@ -52,6 +55,8 @@ impl Stroke {
             cap: Cap::Butt,
             join: Join::Miter,
             disc: Vec::new(),
+            step: 0.0,
+            step_cos: 1.0,
             ring: Vec::new(),
             first: zero,
             first_along: zero,
@@ -67,6 +72,8 @@ impl Stroke {
         if half != self.half || self.disc.is_empty() {
             let step = 2.0 * (1.0 - (TOLERANCE / half).min(0.5)).acos();
             let corners = (TAU / step).ceil().clamp(8.0, 720.0);
+            self.step = TAU / corners;
+            self.step_cos = self.step.cos();
             self.disc.clear();
             self.disc
                 .extend((0..corners as u32).map(|i| DVec2::from_angle(TAU * f64::from(i) / corners) * half));
@@ -177,14 +184,32 @@ impl Stroke {
                 polygon(&[at, at + a, at + (a + b) / (1.0 + cos), at + b]);
             }
             Join::Miter | Join::Bevel => polygon(&[at, at + a, at + b]),
-            Join::Round => self.disc(at, polygon),
+            // The chord is as good as the arc.
+            Join::Round if cos >= self.step_cos => polygon(&[at, at + a, at + b]),
+            Join::Round => self.sector(at, (a, b), turn.atan2(cos), polygon),
         }
+    }
+
+    /// The sector of a disc from one point of its edge through an angle to another; the points are seen from the middle.
+    fn sector(&mut self, at: DVec2, (a, b): (DVec2, DVec2), angle: f64, polygon: &mut impl FnMut(&[DVec2])) {
+        let pieces = (angle.abs() / self.step).ceil().max(1.0);
+        let turn = DVec2::from_angle(angle / pieces);
+        self.ring.clear();
+        self.ring.extend([at, at + a]);
+        let mut v = a;
+        for _ in 1..pieces as u32 {
+            v = turn.rotate(v);
+            self.ring.push(at + v);
+        }
+        self.ring.push(at + b);
+        polygon(&self.ring);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use gks_algorithms::coverage::{SAMPLES, SampleMask};
     use gks_algorithms::fill::EdgeTable;
     use gks_algorithms::path::Rule;
     use gks_algorithms::rect::IRect;
@@ -250,6 +275,35 @@ mod tests {
         assert_eq!(top(Join::Miter), ["############", "############", "############"]);
         assert_eq!(top(Join::Bevel), ["..##########", ".###########", "############"].map(String::from));
         assert_eq!(top(Join::Round), [".###########", "############", "############"].map(String::from));
+    }
+
+    /// How much of a raster polygons cover, in pixels.
+    fn covered(rings: &[Vec<DVec2>]) -> f64 {
+        let mut mask = SampleMask::new();
+        mask.begin(IRect::of_size(60, 60));
+        rings.iter().for_each(|ring| mask.polygon(ring));
+        let mut samples = 0;
+        mask.drain(|_, _, words| samples += words.iter().map(|word| word.count_ones()).sum::<u32>());
+        f64::from(samples) / f64::from(SAMPLES)
+    }
+
+    #[test]
+    fn a_round_corner_covers_what_a_disc_covers_whatever_the_turn() {
+        let middle = DVec2::new(30.3, 30.2);
+        for (degrees, width) in (-180..=180).step_by(5).flat_map(|d| [(d, 1.0), (d, 12.0)]) {
+            let after = middle + DVec2::from_angle(f64::from(degrees).to_radians()) * 20.0;
+            let path = [(10.3, 30.2), middle.into(), after.into()];
+            let rings = |join| {
+                let mut rings = Vec::new();
+                polygons(&path, width, Cap::Butt, join, |ring| rings.push(ring.to_vec()));
+                rings
+            };
+            let mut with_disc = rings(Join::Bevel);
+            polygons(&[middle.into()], width, Cap::Round, Join::Round, |ring| with_disc.push(ring.to_vec()));
+            let (found, expected) = (covered(&rings(Join::Round)), covered(&with_disc));
+            let arc = width * 0.5 * f64::from(degrees).to_radians().abs();
+            assert!((found - expected).abs() <= 0.2 + 2.0 * TOLERANCE * arc, "{degrees}: {found} {expected}");
+        }
     }
 
     #[test]
