@@ -242,16 +242,18 @@ impl Painter {
         clip: &Rect<Du>,
         canvas: &mut Canvas<'_>,
     ) -> Result<(), DeviceError> {
+        let bundle = canvas.tables.fill(look);
+        let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.areas);
+        if bundle.interior == InteriorStyle::Solid {
+            return self.solid(rings, Rule::EvenOdd, paint, clip, canvas);
+        }
         let Some(bounds) = rings.bounds() else { return Ok(()) };
         let crossing = match visibility(&bounds, clip) {
             Visibility::Hidden => return Ok(()),
             Visibility::Whole => false,
             Visibility::Crossing => true,
         };
-        let bundle = canvas.tables.fill(look);
-        let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.areas);
         match bundle.interior {
-            InteriorStyle::Solid => self.solid(rings, Rule::EvenOdd, paint, clip, canvas),
             InteriorStyle::Pattern => {
                 let Some(place) = lower::pattern::place(look, bundle.style, canvas, &mut self.paints) else {
                     return self.hollow(rings, crossing, paint, clip, canvas);
@@ -275,7 +277,8 @@ impl Painter {
                     lower::hatch::draw(painter, rings, style, paint, clip, canvas)
                 })
             }
-            InteriorStyle::Hollow => self.hollow(rings, crossing, paint, clip, canvas),
+            // Solid ones are drawn by now.
+            InteriorStyle::Hollow | InteriorStyle::Solid => self.hollow(rings, crossing, paint, clip, canvas),
         }
     }
 

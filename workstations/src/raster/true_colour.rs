@@ -24,6 +24,8 @@ use gks_pipeline::item::Parallelogram;
 use glam::IVec2;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+/// Areas of more points than this are looked for on the whole surface.
+const LONG_BOUNDARY: usize = 1 << 14;
 /// What the arithmetic of maps may lose, in pixels.
 const LAST_DIGITS: f64 = 1e-6;
 
@@ -161,7 +163,9 @@ impl TrueColour {
                 over_run(canvas.span(row as usize, from as usize..to as usize), above, 255);
             });
         }
-        let Some(bounds) = rings.bounds() else { return };
+        // The bounds of a long boundary are not worth the time.
+        let all = (rings.points.len() > LONG_BOUNDARY).then(|| self.surface.extent());
+        let Some(bounds) = all.or_else(|| rings.bounds()) else { return };
         let (columns, rows) =
             Window::new(None, self.layout.width, self.layout.height, true).touched_by(&bounds);
         let corner = |column: u32, row: u32| IVec2::new(column as i32, row as i32);
