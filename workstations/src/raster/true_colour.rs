@@ -171,10 +171,10 @@ impl TrueColour {
         let corner = |column: u32, row: u32| IVec2::new(column as i32, row as i32);
         let window = IRect::new(corner(columns.start, rows.start), corner(columns.end, rows.end));
         canvas.touch(&columns, &rows);
-        let times = if by == Rule::EvenOdd && above[3] == 255 { 2 } else { 1 };
-        self.areas.runs(rings.points, rings.ends, rule(by), window, |row, from, to, covered| {
+        let gain = if by == Rule::EvenOdd && above[3] == 255 { 2 } else { 1 };
+        self.areas.runs(rings.points, rings.ends, (rule(by), gain), window, |row, from, to, covered| {
             let run = canvas.span(row as usize, from as usize..to as usize);
-            over_run(run, above, covered.saturating_mul(times));
+            over_run(run, above, covered);
         });
     }
 
