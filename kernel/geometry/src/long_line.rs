@@ -165,6 +165,12 @@ impl<S: Space> Pieces for LongLine<'_, S> {
             // The piece after this one tells whether a path ends here.
             let goes_on = to < self.len() && (is_whole || self.point(to).is_some());
             let mut finite = true;
+            if is_whole {
+                points.map_to(|p| map.transform_point2(normalization.transform_point2(p)), images);
+                give(images, starts, !goes_on, &mut each)?;
+                (from, starts) = (to, false);
+                continue;
+            }
             points.map_to(
                 |p| {
                     let p = normalization.transform_point2(p);

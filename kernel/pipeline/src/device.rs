@@ -243,10 +243,15 @@ pub struct Grid<'a> {
 /// What the colour indices of cells show.
 #[derive(Copy, Clone, Debug)]
 pub struct Palette<'a> {
-    pub(crate) tables: &'a Tables,
+    tables: &'a Tables,
 }
 
-impl Palette<'_> {
+impl<'a> Palette<'a> {
+    /// The palette of a workstation with these tables.
+    pub fn new(tables: &'a Tables) -> Self {
+        Palette { tables }
+    }
+
     /// The paint of an index; a negative one is drawn as index 1, like one without an entry.
     pub fn paint(&self, index: i32) -> Paint {
         self.tables.translucent(u32::try_from(index).unwrap_or(u32::MAX), self.tables.opacity.areas)

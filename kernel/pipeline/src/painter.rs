@@ -6,6 +6,8 @@
 //! simplified until exact clipping is possible: a dashed line is cut into dashes before it is clipped, so
 //! that the dashes keep their phase; text becomes outlines before it is clipped.
 
+mod long_line;
+
 use crate::colour::Paint;
 use crate::device::{
     Device, DeviceError, Drawn, Fill, Form, Glyph, Mark, MarkerStyle, Palette, Pen, Rule, StrokeCharacter,
@@ -19,7 +21,7 @@ use crate::tables::Tables;
 use gks_algorithms as algorithms;
 use gks_algorithms::clip::sutherland_hodgman;
 use gks_algorithms::fill::Hatch;
-use gks_geometry::{Du, LongLine, Map, Ndc, PathBuf, Paths, Pieces, Point, Rect};
+use gks_geometry::{Du, Map, Ndc, PathBuf, Paths, Point, Rect};
 use glam::DVec2;
 
 /// The most dashes that one polyline is cut into; beyond, it is drawn solid.
@@ -123,77 +125,6 @@ impl Painter {
         self.mapped = mapped;
         self.dash = dash;
         done
-    }
-
-    /// Offers a long line as such, or not at all; a polyline is the same line.
-    pub(crate) fn long_line(
-        &mut self,
-        line: &LongLine<'_, Ndc>,
-        look: &Look,
-        clip: &Rect<Ndc>,
-        canvas: &mut Canvas<'_>,
-    ) -> Result<Drawn, DeviceError> {
-        let Some(clip) = clip.intersection(&canvas.window) else { return Ok(Drawn::Yes) };
-        let clip = canvas.clip_map.rect(&clip);
-        let line = line.mapped(&canvas.map);
-        let Some(bounds) = line.bounds() else { return Ok(Drawn::Yes) };
-        let crossing = match visibility(&bounds, &clip) {
-            Visibility::Hidden => return Ok(Drawn::Yes),
-            Visibility::Whole => None,
-            Visibility::Crossing => Some(clip),
-        };
-        self.with_pen(look, canvas, |painter, pen, canvas| {
-            let drawn = canvas.offer(Form::LongLine(line, *pen), crossing)?;
-            let pens = canvas.surface.pen.is_some();
-            match crossing {
-                Some(clip) if drawn == Drawn::No && pen.dash.is_empty() && !pens => {
-                    painter.clipped_long_line(&line, pen, &clip, canvas)
-                }
-                _ => Ok(drawn),
-            }
-        })
-    }
-
-    /// Draws of a long line what is inside of `clip`, which alone is held.
-    fn clipped_long_line(
-        &mut self,
-        line: &LongLine<'_, Du>,
-        pen: &Pen<'_>,
-        clip: &Rect<Du>,
-        canvas: &mut Canvas<'_>,
-    ) -> Result<Drawn, DeviceError> {
-        let mut clipped = std::mem::take(&mut self.clipped);
-        let mut held = std::mem::take(&mut self.pieces);
-        let path = &mut held.points;
-        let mut last = None;
-        clipped.clear();
-        line.pieces(|piece| {
-            // A piece goes on where the one before it ended.
-            path.clear();
-            path.extend(last.filter(|_| !piece.starts));
-            path.extend_from_slice(piece.points);
-            last = piece.points.last().copied();
-            let bounds = Paths::<Du>::new(path, &[]).bounds();
-            if bounds.is_none_or(|bounds| !bounds.meets(clip)) {
-                return Ok::<_, DeviceError>(());
-            }
-            let (points, ends) = (&mut clipped.points, &mut clipped.ends);
-            let (before, count) = (points.len(), ends.len());
-            let goes_on = !piece.starts && points.last() == path.first();
-            algorithms::clip::polyline((clip.min.0, clip.max.0), path, points, ends);
-            if goes_on && ends.len() > count && points.get(before) == points.get(before.wrapping_sub(1)) {
-                points.remove(before);
-                ends.remove(count - 1);
-                ends[count - 1..].iter_mut().for_each(|end| *end -= 1);
-            }
-            Ok(())
-        })?;
-        let done = match clipped.ends.is_empty() {
-            true => Ok(()),
-            false => must(canvas.offer(Form::Lines(clipped.as_paths(), *pen), None)),
-        };
-        (self.clipped, self.pieces) = (clipped, held);
-        done.map(|()| Drawn::Yes)
     }
 
     /// Draws lines inside of `clip`.
@@ -311,16 +242,18 @@ impl Painter {
         clip: &Rect<Du>,
         canvas: &mut Canvas<'_>,
     ) -> Result<(), DeviceError> {
+        let bundle = canvas.tables.fill(look);
+        let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.areas);
+        if bundle.interior == InteriorStyle::Solid {
+            return self.solid(rings, Rule::EvenOdd, paint, clip, canvas);
+        }
         let Some(bounds) = rings.bounds() else { return Ok(()) };
         let crossing = match visibility(&bounds, clip) {
             Visibility::Hidden => return Ok(()),
             Visibility::Whole => false,
             Visibility::Crossing => true,
         };
-        let bundle = canvas.tables.fill(look);
-        let paint = canvas.tables.translucent(bundle.colour, canvas.tables.opacity.areas);
         match bundle.interior {
-            InteriorStyle::Solid => self.solid(rings, Rule::EvenOdd, paint, clip, canvas),
             InteriorStyle::Pattern => {
                 let Some(place) = lower::pattern::place(look, bundle.style, canvas, &mut self.paints) else {
                     return self.hollow(rings, crossing, paint, clip, canvas);
@@ -344,7 +277,8 @@ impl Painter {
                     lower::hatch::draw(painter, rings, style, paint, clip, canvas)
                 })
             }
-            InteriorStyle::Hollow => self.hollow(rings, crossing, paint, clip, canvas),
+            // Solid ones are drawn by now.
+            InteriorStyle::Hollow | InteriorStyle::Solid => self.hollow(rings, crossing, paint, clip, canvas),
         }
     }
 
@@ -432,7 +366,7 @@ impl Painter {
             Visibility::Whole => None,
             Visibility::Crossing => Some(*clip),
         };
-        let palette = Palette { tables: canvas.tables };
+        let palette = Palette::new(canvas.tables);
         if canvas.offer(Form::IndexedCells(place, *cells, palette), clip_at)? == Drawn::Yes {
             return Ok(());
         }

@@ -84,6 +84,17 @@ pub(super) fn over(below: &mut Pixel, above: Pixel, coverage: u8) {
     *below = mixed.to_le_bytes();
 }
 
+/// Puts a colour over neighbouring pixels of which `coverage` of 255 parts are covered.
+#[inline(always)]
+pub(super) fn over_run(run: &mut [Pixel], above: Pixel, coverage: u8) {
+    match run {
+        // Most runs are a pixel of a boundary.
+        [below] => over(below, above, coverage),
+        _ if coverage == 255 && above[3] == 255 => run.fill(above),
+        _ => run.iter_mut().for_each(|below| over(below, above, coverage)),
+    }
+}
+
 /// A colour ready to be put over many pixels, covered by a number of samples.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Ink {

@@ -156,7 +156,7 @@ impl Lines {
         let mut m4 = M4::new(TOLERANCE);
         let done = line.pieces::<Infallible>(|piece| {
             if is_dense {
-                piece.points.iter().for_each(|&p| m4.to(p, &mut |p| stroke.to(p, &mut polygon)));
+                m4.all(piece.points, &mut |p| stroke.to(p, &mut polygon));
             } else {
                 piece.points.iter().for_each(|&p| stroke.to(p, &mut polygon));
             }

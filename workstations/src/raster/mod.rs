@@ -7,6 +7,7 @@ mod aliased;
 mod bitmap;
 mod cells;
 mod clip;
+mod coloured_cells;
 mod composite;
 mod describe;
 mod encode;

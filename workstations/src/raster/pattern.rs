@@ -26,7 +26,7 @@ pub(super) fn fill(
     let corner = |column: u32, row: u32| IVec2::new(column as i32, row as i32);
     let pixels = IRect::new(corner(columns.start, rows.start), corner(columns.end, rows.end));
     let colours: Vec<_> = grid.paints.iter().map(|paint| pixel(paint.colour)).collect();
-    mask.runs(rings.points, rings.ends, rule, pixels, |row, from, to, covered| {
+    mask.runs(rings.points, rings.ends, (rule, 1), pixels, |row, from, to, covered| {
         let row = row as u32;
         let line = bitmap.span(row as usize, from as usize..to as usize);
         for (column, below) in (from as u32..).zip(line) {

@@ -7,6 +7,8 @@ use glam::DVec2;
 
 /// Steps of a coordinate in a pixel.
 const STEPS: i32 = 256;
+/// What makes 1 in fixed-point numbers with 32 binary places.
+const FRACTION: f64 = (1_u64 << 32) as f64;
 /// A whole pixel: twice the area in steps.
 const WHOLE: i32 = 2 * STEPS * STEPS;
 
@@ -37,12 +39,12 @@ impl AreaMask {
     /// right, pixels that are not covered not at all.
     ///
     /// Where rings overlap inside of a pixel, the areas are added before the rule decides. Vertices that are not
-    /// usable are left out.
+    /// usable are left out. What is covered counts `gain` times, up to the whole pixel.
     pub fn runs(
         &mut self,
         points: &[DVec2],
         ends: &[u32],
-        rule: Rule,
+        (rule, gain): (Rule, u8),
         window: IRect,
         mut run: impl FnMut(i32, i32, i32, u8),
     ) {
@@ -60,7 +62,7 @@ impl AreaMask {
         }
         for row in self.rows.0..self.rows.1 {
             let y = window.min.y + row as i32;
-            self.sweep(row, rule, |from, to, covered| {
+            self.sweep(row, (rule, gain), |from, to, covered| {
                 run(y, window.min.x + from, window.min.x + to, covered);
             });
         }
@@ -142,23 +144,30 @@ impl AreaMask {
         let row = |y: i32| y as usize / STEPS as usize;
         let (first, last) = (row(y0), row(y1 - 1));
         self.rows = (self.rows.0.min(first), self.rows.1.max(last + 1));
+        let (run, fall) = (f64::from(x1 - x0), f64::from(y1 - y0));
+        // How far down the line goes for each step aside; it leaves a row at once if that is more than a row.
+        let within = x0 / STEPS == x1 / STEPS;
+        let steepness = if within { 0 } else { ((fall / run.abs()).min(f64::from(STEPS)) * FRACTION) as i64 };
         if first == last {
-            return self.piece(first, (x0, x1), (y1 - y0) * turn);
+            return self.piece(first, (x0, x1), (y1 - y0) * turn, steepness);
         }
-        let slope = f64::from(x1 - x0) / f64::from(y1 - y0);
-        let (mut x, mut y) = (x0, y0);
+        let slope = (run / fall * FRACTION) as i64;
+        let below = (first as i32 + 1) * STEPS;
+        let mut exact = (i64::from(x0) << 32) + i64::from(below - y0) * slope;
+        let (mut x, mut rise) = (x0, below - y0);
         for row in first..last {
-            let below = (row as i32 + 1) * STEPS;
-            let next = x0 + (f64::from(below - y0) * slope) as i32;
-            self.piece(row, (x, next), (below - y) * turn);
-            (x, y) = (next, below);
+            let next = (exact >> 32) as i32;
+            self.piece(row, (x, next), rise * turn, steepness);
+            (x, rise) = (next, STEPS);
+            exact += slope * i64::from(STEPS);
         }
-        self.piece(last, (x, x1), (y1 - y) * turn);
+        self.piece(last, (x, x1), (y1 - last as i32 * STEPS) * turn, steepness);
     }
 
-    /// Enters the part of a line in one row, which goes down by `rise` steps.
+    /// Enters the part of a line in one row, which goes down by `rise` steps, and by `steepness` parts of [`FRACTION`]
+    /// for each step aside.
     #[inline]
-    fn piece(&mut self, row: usize, (x0, x1): (i32, i32), rise: i32) {
+    fn piece(&mut self, row: usize, (x0, x1): (i32, i32), rise: i32, steepness: i64) {
         let (left, right) = if x0 <= x1 { (x0, x1) } else { (x1, x0) };
         let column = |x: i32| x as usize / STEPS as usize;
         let (first, last) = (column(left), column((right - 1).max(left)));
@@ -175,19 +184,20 @@ impl AreaMask {
         if first == last {
             return enter(0, left + right, rise);
         }
-        let slope = f64::from(rise) / f64::from(right - left);
+        let (whole, sign) = (i64::from(rise.abs()), rise.signum());
+        let mut exact = i64::from(STEPS - left) * steepness;
         let (mut x, mut sum) = (left, 0);
         for column in 0..last - first {
-            let base = column as i32 * STEPS;
-            let total = (f64::from(base + STEPS - left) * slope) as i32;
-            enter(column, x - base + STEPS, total - sum);
-            (x, sum) = (base + STEPS, total);
+            let total = (exact >> 32).min(whole) as i32 * sign;
+            enter(column, x + STEPS, total - sum);
+            (x, sum) = (0, total);
+            exact += i64::from(STEPS) * steepness;
         }
-        enter(last - first, x + right - 2 * (last - first) as i32 * STEPS, rise - sum);
+        enter(last - first, x + right - (last - first) as i32 * STEPS, rise - sum);
     }
 
     /// Sums up a row, gives its runs and empties it.
-    fn sweep(&mut self, row: usize, rule: Rule, mut run: impl FnMut(i32, i32, u8)) {
+    fn sweep(&mut self, row: usize, (rule, gain): (Rule, u8), mut run: impl FnMut(i32, i32, u8)) {
         let cells = &mut self.cells[row * (self.width + 2)..][..self.width + 2];
         let touched = &mut self.touched[row * self.words..][..self.words];
         // What is entered right of the window counts for nothing.
@@ -202,7 +212,7 @@ impl AreaMask {
                 let now = sum.wrapping_add(std::mem::take(&mut cells[at]));
                 if now != sum {
                     sum = now;
-                    let part = part_covered(sum, rule);
+                    let part = part_covered(sum, rule, gain);
                     if part != covered {
                         if covered > 0 && from < at {
                             run(from as i32, at as i32, covered);
@@ -240,9 +250,9 @@ fn fixed(p: DVec2) -> (i32, i32) {
     (steps(p.x), steps(p.y))
 }
 
-/// How many of 255 parts of a pixel are covered where areas add up to `sum`.
+/// How many of 255 parts of a pixel are covered where areas add up to `sum` and count `gain` times.
 #[inline]
-fn part_covered(sum: i32, rule: Rule) -> u8 {
+fn part_covered(sum: i32, rule: Rule, gain: u8) -> u8 {
     let area = sum.unsigned_abs();
     let whole = WHOLE as u32;
     let area = match rule {
@@ -252,6 +262,7 @@ fn part_covered(sum: i32, rule: Rule) -> u8 {
             twice.min(2 * whole - twice)
         }
     };
+    let area = (area * u32::from(gain)).min(whole);
     ((area * 255 + whole / 2) / whole) as u8
 }
 
@@ -267,7 +278,7 @@ mod tests {
         let side = window.max - window.min;
         let mut rows = vec![vec![0; side.x as usize]; side.y as usize];
         let mut last = (i32::MIN, 0);
-        AreaMask::new().runs(points, ends, rule, window, |y, from, to, covered| {
+        AreaMask::new().runs(points, ends, (rule, 1), window, |y, from, to, covered| {
             assert!(from < to && (y, from) >= last && covered > 0, "out of order, overlapping or nothing");
             last = (y, to);
             let row = &mut rows[(y - window.min.y) as usize];
@@ -288,6 +299,17 @@ mod tests {
         let triangle = ring(&[(0.0, 0.0), (4.0, 0.0), (0.0, 2.0)]);
         let found = parts(&triangle, &[3], Rule::NonZero, IRect::of_size(4, 2));
         assert_eq!(found, [[255, 255, 191, 64], [191, 64, 0, 0]]);
+    }
+
+    #[test]
+    fn gain_fills_pixels_that_are_half_covered() {
+        let square = ring(&[(0.5, 0.25), (3.0, 0.25), (3.0, 1.25), (0.5, 1.25)]);
+        let mut found = Vec::new();
+        let window = IRect::of_size(4, 2);
+        AreaMask::new().runs(&square, &[4], (Rule::EvenOdd, 2), window, |y, from, to, covered| {
+            found.push((y, from, to, covered));
+        });
+        assert_eq!(found, [(0, 0, 1, 191), (0, 1, 3, 255), (1, 0, 1, 64), (1, 1, 3, 128)]);
     }
 
     #[test]
@@ -351,15 +373,23 @@ mod tests {
         let all = ring(&[(-far, -far), (far, -far), (f64::NAN, 0.0), (far, far), (-far, far)]);
         for (width, height) in [(3, 2), (200, 3), (1, 1), (64, 2), (127, 2)] {
             let mut area = 0;
-            mask.runs(&all, &[5], Rule::EvenOdd, IRect::of_size(width, height), |_, from, to, covered| {
-                area += (to - from) * i32::from(covered);
-            });
+            mask.runs(
+                &all,
+                &[5],
+                (Rule::EvenOdd, 1),
+                IRect::of_size(width, height),
+                |_, from, to, covered| {
+                    area += (to - from) * i32::from(covered);
+                },
+            );
             assert_eq!(area, width * height * 255);
         }
-        mask.runs(&all, &[5], Rule::EvenOdd, IRect::default(), |_, _, _, _| {
+        mask.runs(&all, &[5], (Rule::EvenOdd, 1), IRect::default(), |_, _, _, _| {
             panic!("an empty window has no runs")
         });
         let right = ring(&[(3.0, 0.0), (9.0, 0.0), (9.0, 2.0), (3.0, 2.0)]);
-        mask.runs(&right, &[4], Rule::EvenOdd, IRect::of_size(3, 2), |_, _, _, _| panic!("all lies outside"));
+        mask.runs(&right, &[4], (Rule::EvenOdd, 1), IRect::of_size(3, 2), |_, _, _, _| {
+            panic!("all lies outside")
+        });
     }
 }

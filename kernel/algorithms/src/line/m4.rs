@@ -44,6 +44,20 @@ impl M4 {
         }
     }
 
+    /// Goes on to several vertices.
+    pub fn all(&mut self, path: &[DVec2], emit: &mut impl FnMut(DVec2)) {
+        let mut rest = path;
+        while let [p, others @ ..] = rest {
+            let taken = self.run.take_some(rest);
+            if taken > 0 {
+                rest = &rest[taken..];
+            } else {
+                self.to(*p, emit);
+                rest = others;
+            }
+        }
+    }
+
     /// Ends the path.
     pub fn end(self, emit: &mut impl FnMut(DVec2)) {
         self.run.give(emit);
@@ -65,6 +79,38 @@ impl Run {
     fn new(p: DVec2, column: (f64, f64)) -> Self {
         let count = u64::from(!p.is_nan());
         Run { column, count, first: p, lowest: (0, p), highest: (0, p), last: p }
+    }
+
+    /// Takes vertices as long as they lie in the column, and tells how many.
+    #[inline]
+    fn take_some(&mut self, path: &[DVec2]) -> usize {
+        let (left, right) = self.column;
+        let (mut low, mut high) = (self.lowest.1.y, self.highest.1.y);
+        let (mut lowest, mut highest) = (None, None);
+        let mut taken = 0;
+        for (i, &p) in path.iter().enumerate() {
+            if !(left <= p.x && p.x < right && p.y.abs() <= LARGEST) {
+                break;
+            }
+            if p.y < low {
+                (low, lowest) = (p.y, Some(i));
+            }
+            if p.y > high {
+                (high, highest) = (p.y, Some(i));
+            }
+            taken = i + 1;
+        }
+        if let Some(i) = lowest {
+            self.lowest = (self.count + i as u64, path[i]);
+        }
+        if let Some(i) = highest {
+            self.highest = (self.count + i as u64, path[i]);
+        }
+        if taken > 0 {
+            self.last = path[taken - 1];
+            self.count += taken as u64;
+        }
+        taken
     }
 
     #[inline]
@@ -96,6 +142,38 @@ impl Run {
         }
         if self.count > 1 {
             emit(self.last);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::xorshift::Xorshift;
+
+    #[test]
+    fn vertices_may_come_one_by_one_or_many_at_a_time() {
+        let mut random = Xorshift::new(12);
+        for round in 0..40 {
+            let mut x = 0.0;
+            let mut path: Vec<DVec2> = (0..300)
+                .map(|_| {
+                    let step = random.point(-0.05, 0.2);
+                    x += step.x;
+                    DVec2::new(x, random.point(0.0, 50.0).y)
+                })
+                .collect();
+            path[round * 7].y = f64::NAN;
+            path[round * 3].x = f64::INFINITY;
+            let mut one_by_one = Vec::new();
+            m4(path.iter().copied(), 0.5, |p| one_by_one.push(p));
+            let (mut many, mut reduction) = (Vec::new(), M4::new(0.5));
+            for part in path.chunks(round + 1) {
+                reduction.all(part, &mut |p| many.push(p));
+            }
+            reduction.end(&mut |p| many.push(p));
+            assert!(one_by_one.len() < path.len());
+            assert_eq!(format!("{one_by_one:?}"), format!("{many:?}"), "{} at a time", round + 1);
         }
     }
 }

@@ -41,7 +41,7 @@ pub(crate) fn place(look: &Look, index: i32, canvas: &Canvas<'_>, paints: &mut V
         return None;
     }
     paints.clear();
-    let palette = Palette { tables: canvas.tables };
+    let palette = Palette::new(canvas.tables);
     paints.extend(pattern.indices.iter().map(|&index| palette.paint(index)));
     let origin = canvas.map.point(geometry.reference) + height;
     Some(Place {

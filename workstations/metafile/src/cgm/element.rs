@@ -63,6 +63,20 @@ pub enum Inks {
     Direct(Vec<[u8; 3]>),
 }
 
+/// The most cells that a few octets may stand for: an array of 4000 by 4000, which takes less than 64 MiB.
+pub const MOST_CELLS: usize = 16_000_000;
+
+/// Appends a value several times to a list for which storage of more than `most` values is not set aside unless there
+/// are more.
+pub(super) fn repeat<T: Clone>(list: &mut Vec<T>, value: T, count: usize, most: usize) {
+    let length = list.len() + count;
+    if length > list.capacity() {
+        let capacity = length.max((2 * list.capacity()).min(most));
+        list.reserve_exact(capacity - list.len());
+    }
+    list.resize(length, value);
+}
+
 impl Inks {
     /// The number of colours.
     pub fn len(&self) -> usize {

@@ -91,7 +91,7 @@ fn is_text(head: &[u8]) -> bool {
 
 /// The records of a metafile.
 ///
-/// Memory is bounded by the largest element, cells in runs by an array of 4096 by 4096, and what the metafile defines to
+/// Memory is bounded by the largest element, cells in runs by an array of 4000 by 4000, and what the metafile defines to
 /// be used again. Elements that are unknown or make no sense are skipped.
 pub fn open(bytes: impl Read + Send + 'static, encoding: Encoding) -> Box<dyn Source> {
     match encoding {

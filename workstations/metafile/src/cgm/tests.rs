@@ -297,6 +297,15 @@ fn formats_are_told_apart() {
 /// Control characters, spaces and tildes in substitutes, the terminator of their list among them or as it is; a width
 /// of 2048 units of the precision that holds where none is stated.
 #[test]
+fn storage_for_runs_is_not_set_aside_twice() {
+    let mut list = Vec::new();
+    (0..1000).for_each(|_| super::element::repeat(&mut list, 7_u32, 990, 1_000_000));
+    assert_eq!((list.len(), list.capacity()), (990_000, 1_000_000));
+    super::element::repeat(&mut list, 7, 200_000, 1_000_000);
+    assert_eq!(list.len(), 1_190_000);
+}
+
+#[test]
 fn an_opcode_that_is_cut_off_ends_the_metafile() {
     let mut decoder = CharacterDecoder::new(&b"0 ??"[..]);
     assert_eq!(

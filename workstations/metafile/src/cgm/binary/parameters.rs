@@ -3,13 +3,10 @@
 use super::octets::{Bits, Octets};
 use super::precision::{Precisions, RealFormat};
 use crate::cgm::coding::{Modes, SizeMode};
-use crate::cgm::element::{Cells, Element, Ink, Inks, Value};
+use crate::cgm::element::{Cells, Element, Ink, Inks, MOST_CELLS, Value, repeat};
 use crate::cgm::parameter::Parameter;
 use crate::generated::elements::{Kind, Row};
 use glam::DVec2;
-
-/// The most cells that runs may stand for: an array of 4096 by 4096.
-pub const MOST_CELLS: usize = 1 << 24;
 
 /// How the parameters of an element are coded: what earlier elements have said.
 #[derive(Clone, Debug)]
@@ -239,7 +236,7 @@ impl Coding {
         match inks {
             Inks::Indices(indices) => {
                 let index = bits.next(precision)?.min(i32::MAX as u32) as i32;
-                indices.resize(indices.len() + count, index);
+                repeat(indices, index, count, MOST_CELLS);
             }
             Inks::Direct(colours) => {
                 let mut components = [0.0; 4];
@@ -250,7 +247,7 @@ impl Coding {
                     *component = f64::from(bits.next(precision)?) * scale;
                 }
                 let [red, green, blue, _] = self.modes.colour(components).to_bytes();
-                colours.resize(colours.len() + count, [red, green, blue]);
+                repeat(colours, [red, green, blue], count, MOST_CELLS);
             }
         }
         Some(())

@@ -2,15 +2,17 @@
 
 use super::RealCoding;
 use super::operand::{Bits, OPERAND, Operands};
-use crate::cgm::binary::parameters::MOST_CELLS;
 use crate::cgm::coding::{Modes, SizeMode};
 use crate::cgm::decoder::{Decoder, senseless, unknown};
-use crate::cgm::element::{Cells, Element, Ink, Inks, Value};
+use crate::cgm::element::{Cells, Element, Ink, Inks, MOST_CELLS, Value, repeat};
 use crate::cgm::parameter::Parameter;
 use crate::generated::elements::{ELEMENTS, Kind};
 use gks_pipeline::record::{Skipped, SourceError};
 use glam::DVec2;
 use std::io::{ErrorKind, Read};
+
+/// The most colours that a table may be given at once.
+const MOST_COLOURS: usize = 1 << 16;
 
 /// What earlier elements say about how later ones are coded.
 #[derive(Clone, Debug)]
@@ -278,7 +280,7 @@ impl Coding {
                     }
                 }
                 Parameter::Repeat([Parameter::DirectColour]) => {
-                    let Inks::Direct(colours) = self.inks(usize::MAX, self.colour, true, operands)? else {
+                    let Inks::Direct(colours) = self.inks(MOST_COLOURS, self.colour, true, operands)? else {
                         return None;
                     };
                     let colour = |[r, g, b]: [u8; 3]| [r, g, b].map(|c| f32::from(c) / 255.0);
@@ -396,13 +398,13 @@ impl Coding {
                     };
                     let Some(index) = index else { break };
                     let count = if runs { run(most - indices.len(), operands)? } else { 1 };
-                    indices.resize(indices.len() + count, index.clamp(0, i64::from(i32::MAX)) as i32);
+                    repeat(indices, index.clamp(0, i64::from(i32::MAX)) as i32, count, most);
                 }
                 Inks::Direct(colours) => {
                     let Some(components) = operands.components(bits) else { break };
                     let count = if runs { run(most - colours.len(), operands)? } else { 1 };
                     let colour = self.octets(components);
-                    colours.resize(colours.len() + count, colour);
+                    repeat(colours, colour, count, most);
                 }
             }
         }
@@ -415,10 +417,10 @@ impl Coding {
     }
 }
 
-/// The length of a run, at most what is left and what an array may have.
+/// The length of a run, at most what is left.
 fn run(left: usize, operands: &mut Operands<'_>) -> Option<usize> {
     let count = usize::try_from(operands.integer()?).ok()?;
-    Some(count.min(left).min(MOST_CELLS))
+    Some(count.min(left))
 }
 
 /// The point from which the next one is displaced, and the exponents of its coordinates.

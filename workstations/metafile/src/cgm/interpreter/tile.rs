@@ -2,12 +2,9 @@
 
 use super::Interpreter;
 use crate::cgm::decoder::Decoder;
-use crate::cgm::element::{Cells, Element, Ink, Inks};
+use crate::cgm::element::{Cells, Element, Ink, Inks, MOST_CELLS, repeat};
 use crate::generated::elements::Kind;
 use glam::DVec2;
-
-/// The most cells of a tile.
-const MOST_CELLS: usize = 1 << 24;
 
 /// A tile array whose tiles come one by one.
 #[derive(Clone, Debug)]
@@ -125,11 +122,11 @@ fn decoded(e: &Element, bitonal: bool, (columns, rows): (usize, usize), direct: 
         for column in 0..columns {
             match (&mut inks, pick(set(row, column)?)) {
                 (Inks::Indices(indices), Ink::Index(index)) => {
-                    indices.push(index.min(i32::MAX as u32) as i32);
+                    repeat(indices, index.min(i32::MAX as u32) as i32, 1, MOST_CELLS);
                 }
                 (Inks::Direct(colours), Ink::Direct(colour)) => {
                     let [red, green, blue, _] = colour.to_bytes();
-                    colours.push([red, green, blue]);
+                    repeat(colours, [red, green, blue], 1, MOST_CELLS);
                 }
                 _ => return None,
             }
