@@ -142,7 +142,7 @@ fn primitives_of_gr_are_drawn() {
     assert_eq!(at(0.125, 0.2), [0x00, 0x00, 0xff], "and an edge");
     assert_eq!(at(0.55, 0.7), [0x00, 0x80, 0xff], "the polygon has a colour of its own");
     assert_eq!(at(0.6, 0.5015), [0xff, 0x00, 0x00], "so has a line");
-    assert_eq!(at(0.7405, 0.1255), [0xff, 0x7f, 0x7f], "and a marker, whose arm lies on two rows of pixels");
+    assert_eq!(at(0.7405, 0.1255), [0xff, 0x80, 0x80], "and a marker, whose arm lies on two rows of pixels");
 }
 
 /// A program's own error handling function gets the numbers that XGKS has for its functions.

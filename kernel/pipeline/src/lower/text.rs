@@ -209,6 +209,9 @@ fn outline_run(
     done
 }
 
+/// The points of outlines that are held; characters that have more are drawn by several areas.
+const HELD: usize = 1 << 18;
+
 /// Draws characters as areas.
 fn outlines(
     painter: &mut Painter,
@@ -216,8 +219,18 @@ fn outlines(
     clip: &Rect<Du>,
     canvas: &mut Canvas<'_>,
 ) -> Result<(), DeviceError> {
+    let tolerance = canvas.tolerance();
+    // A curve stays inside of its control points: what it does beyond the clipping rectangle makes no difference.
+    let hidden = |points: &[DVec2]| {
+        !Rect::around(points.iter().copied().map(Point::from_vec))
+            .is_some_and(|hull: Rect<Du>| hull.meets(clip))
+    };
+    let glow = canvas.glow;
+    let seen = |points: &[DVec2]| glow || !hidden(points);
     let mut rings = PathBuf::<Du>::new();
-    for glyph in run.glyphs {
+    let mut rest = run.glyphs;
+    while let Some((glyph, others)) = rest.split_first() {
+        rest = others;
         let at = |p: DVec2| glyph.origin.0 + run.x.0 * p.x + run.y.0 * p.y;
         let mut last = DVec2::ZERO;
         for verb in &run.face.outline(glyph.id).verbs {
@@ -227,23 +240,38 @@ fn outlines(
                     last = at(p);
                     rings.push(last);
                 }
-                Verb::Line(p) => {
+                Verb::Quad(c, p) if seen(&[last, at(c), at(p)]) => {
+                    curve::quadratic([last, at(c), at(p)], tolerance, &mut rings.points);
+                    last = at(p);
+                }
+                Verb::Cubic(c, d, p) if seen(&[last, at(c), at(d), at(p)]) => {
+                    curve::cubic([last, at(c), at(d), at(p)], tolerance, &mut rings.points);
+                    last = at(p);
+                }
+                Verb::Line(p) | Verb::Quad(_, p) | Verb::Cubic(_, _, p) => {
                     last = at(p);
                     rings.push(last);
-                }
-                Verb::Quad(c, p) => {
-                    curve::quadratic([last, at(c), at(p)], canvas.tolerance(), &mut rings.points);
-                    last = at(p);
-                }
-                Verb::Cubic(c, d, p) => {
-                    curve::cubic([last, at(c), at(d), at(p)], canvas.tolerance(), &mut rings.points);
-                    last = at(p);
                 }
                 Verb::Close => rings.end_or_drop(3),
             }
         }
         rings.end_or_drop(3);
+        if rings.points.len() > HELD && !rest.is_empty() {
+            fill(painter, &rings, run.paint, clip, canvas)?;
+            rings = PathBuf::new();
+        }
     }
+    fill(painter, &rings, run.paint, clip, canvas)
+}
+
+/// Fills outlines of characters, or draws a band along them.
+fn fill(
+    painter: &mut Painter,
+    rings: &PathBuf<Du>,
+    paint: Paint,
+    clip: &Rect<Du>,
+    canvas: &mut Canvas<'_>,
+) -> Result<(), DeviceError> {
     if canvas.glow {
         let mut band = PathBuf::<Du>::new();
         for ring in rings.as_paths().iter() {
@@ -252,5 +280,5 @@ fn outlines(
         let pen = glow::pen(0.0, canvas);
         return painter.lines(band.as_paths(), &pen, clip, canvas);
     }
-    painter.solid(rings.as_paths(), Rule::NonZero, run.paint, clip, canvas)
+    painter.solid(rings.as_paths(), Rule::NonZero, paint, clip, canvas)
 }
