@@ -36,7 +36,8 @@ impl Paper {
     /// What the program has said if it holds for a workstation type; what the user has chosen goes first.
     pub(crate) fn of(self, kind: i32, environment: &Environment) -> Option<Paper> {
         let options = environment.options.as_deref().unwrap_or_default();
-        let is_chosen = environment.wstype.is_some() || options.contains("size");
+        let is_chosen = environment.wstype.is_some()
+            || options.split(['&', ',']).any(|option| option.trim().starts_with("size="));
         Some(self).filter(|paper| *paper != Paper::default() && draws_on_paper(kind) && !is_chosen)
     }
 
@@ -99,7 +100,8 @@ mod tests {
         assert_eq!(Paper::default().of(20, &none), None);
         assert_eq!(said.of(20, &environment("GKS_WSTYPE", "pdf")), None);
         assert_eq!(said.of(20, &environment("GKS_OPTIONS", "size=800x800")), None);
-        assert_eq!(said.of(20, &environment("GKS_OPTIONS", "transparent=1")), Some(said));
+        assert_eq!(said.of(20, &environment("GKS_OPTIONS", "dpi=300, size=800x800")), None);
+        assert_eq!(said.of(20, &environment("GKS_OPTIONS", "script=size")), Some(said));
         assert_eq!(said.connection("a.ps"), "a.ps?size=612x792");
         assert_eq!(paper(None, Some(300.0)).connection("a.pdf?dpi=1"), "a.pdf?dpi=1&size=300x792");
     }

@@ -58,6 +58,11 @@ impl Bitmap {
         std::hint::black_box(read);
     }
 
+    /// Copies to some pixels of a row, which is not the first one, those above them.
+    pub(super) fn repeat_above(&mut self, pixels: Range<usize>) {
+        self.pixels.copy_within(pixels.start - self.width..pixels.end - self.width, pixels.start);
+    }
+
     /// One pixel, or none outside of the bitmap.
     pub(super) fn pixel(&self, column: u32, row: u32) -> Option<Pixel> {
         let (column, row) = (column as usize, row as usize);

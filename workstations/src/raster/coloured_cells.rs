@@ -26,8 +26,7 @@ pub(super) fn draw(bitmap: &mut Bitmap, frame: &Parallelogram<Du>, grid: &Grid<'
     cells::lines(window.centred(), frame, extent, |line| {
         let pixels = line.pixels(width);
         if line.again && opaque {
-            let above = pixels.start - width..pixels.end - width;
-            return bitmap.pixels_mut().copy_within(above, pixels.start);
+            return bitmap.repeat_above(pixels);
         }
         let below = &mut bitmap.pixels_mut()[pixels];
         below.iter_mut().zip(line.places()).for_each(|(below, place)| over(below, colour(place), 255));
@@ -52,8 +51,7 @@ pub(super) fn draw_indexed(
     cells::lines(window.centred(), frame, extent, |line| {
         let pixels = line.pixels(width);
         if line.again && plain {
-            let above = pixels.start - width..pixels.end - width;
-            return bitmap.pixels_mut().copy_within(above, pixels.start);
+            return bitmap.repeat_above(pixels);
         }
         let below = &mut bitmap.pixels_mut()[pixels];
         let row = &indices[line.base..];
