@@ -77,6 +77,13 @@ impl Bitmap {
         &mut self.pixels[start + columns.start..start + columns.end]
     }
 
+    /// The pixels of a row from a column on.
+    #[inline]
+    pub(super) fn rest(&mut self, row: usize, column: usize) -> &mut [Pixel] {
+        let start = row * self.width;
+        &mut self.pixels[start + column..start + self.width]
+    }
+
     /// The bytes of all pixels.
     pub(super) fn bytes(&self) -> &[u8] {
         self.pixels.as_flattened()

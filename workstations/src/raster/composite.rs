@@ -1,7 +1,7 @@
 //! Blending of colours into pixels by T. Porter and T. Duff, "Compositing Digital Images", 1984: source over
 //! destination, premultiplied by opacity.
 
-use gks_algorithms::coverage::SAMPLES;
+use gks_algorithms::coverage::{Cover, SAMPLES};
 use gks_pipeline::colour::Colour;
 
 /// A pixel of the frame buffer: red, green, blue and opacity, the colours premultiplied by the opacity.
@@ -95,6 +95,41 @@ pub(super) fn over_run(run: &mut [Pixel], above: Pixel, coverage: u8) {
     }
 }
 
+/// Puts a colour over what is covered of the first pixels of a row.
+#[inline]
+pub(super) fn over_cover(row: &mut [Pixel], above: Pixel, cover: Cover<'_>) {
+    match cover {
+        Cover::Alike(count, coverage) => over_run(&mut row[..count], above, coverage),
+        Cover::Each(parts) => over_each(&mut row[..parts.len()], above, parts),
+    }
+}
+
+/// Puts a colour over neighbouring pixels of which parts of 255 are covered.
+#[inline]
+fn over_each(run: &mut [Pixel], above: Pixel, parts: &[u8]) {
+    if let (Ok(run), Ok(parts), 255) = (run.try_into(), parts.try_into(), above[3]) {
+        return over_eight(run, above, parts);
+    }
+    run.iter_mut().zip(parts).for_each(|(below, &part)| over(below, above, part));
+}
+
+/// Puts an opaque colour over eight pixels of which parts of 255 are covered.
+#[inline]
+fn over_eight(below: &mut [Pixel; 8], above: Pixel, parts: &[u8; 8]) {
+    let above = above.map(u16::from);
+    for (below, parts) in below.as_chunks_mut::<4>().0.iter_mut().zip(parts.as_chunks::<4>().0) {
+        // Two loops that compilers turn into a few instructions for all 16 bytes.
+        let mut shares = [0; 16];
+        for (share, i) in shares.iter_mut().zip(0..) {
+            *share = u16::from(parts[i / 4]);
+        }
+        for (below, i) in below.as_flattened_mut().iter_mut().zip(0..) {
+            let sum = above[i % 4] * shares[i] + u16::from(*below) * (255 - shares[i]) + 128;
+            *below = ((sum + (sum >> 8)) >> 8) as u8;
+        }
+    }
+}
+
 /// A colour ready to be put over many pixels, covered by a number of samples.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Ink {
@@ -137,7 +172,7 @@ impl Ink {
     }
 
     /// Puts the ink over four pixels of which numbers of samples are covered.
-    #[inline]
+    #[inline(always)]
     pub(super) fn over_four(&self, below: &mut [Pixel; 4], samples: [u8; 4]) {
         if self.is_opaque() {
             mix(self.whole, below, samples);
@@ -195,7 +230,7 @@ impl Brush {
 }
 
 /// Four pixels on the way to a colour, as far as numbers of samples say.
-#[inline]
+#[inline(always)]
 fn mix(above: Pixel, below: &mut [Pixel; 4], samples: [u8; 4]) {
     // Two loops that compilers turn into a few instructions for all 16 bytes.
     let mut counts = [0; 16];
@@ -261,6 +296,26 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn pixels_covered_by_parts_are_like_each_of_them() {
+        let below: [Pixel; 9] = std::array::from_fn(|i| [i as u8 * 31, 255 - i as u8 * 9, 128, 255]);
+        for alpha in [255, 100] {
+            let above = [times(200, alpha), times(3, alpha), times(90, alpha), alpha];
+            for first in 0..=247 {
+                let parts: [u8; 9] = std::array::from_fn(|i| first + i as u8);
+                for count in [3, 8, 9] {
+                    let (mut together, mut single) = (below, below);
+                    over_cover(&mut together, above, Cover::Each(&parts[..count]));
+                    single.iter_mut().zip(&parts[..count]).for_each(|(p, &part)| over(p, above, part));
+                    assert_eq!(together, single, "{first} {count}");
+                }
+            }
+        }
+        let mut row = below;
+        over_cover(&mut row, [1, 2, 3, 255], Cover::Alike(4, 255));
+        assert_eq!((row[3], row[4]), ([1, 2, 3, 255], below[4]));
     }
 
     #[test]

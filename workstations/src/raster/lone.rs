@@ -9,6 +9,7 @@ use gks_algorithms::coverage::SAMPLES;
 use gks_pipeline::look::Cap;
 use glam::DVec2;
 use std::f64::consts::FRAC_PI_4;
+use std::ops::{Range, RangeInclusive};
 
 /// The greatest height of a line in one step along it, in pixels: so it touches no more than four pixels across it.
 const HIGHEST: f64 = 3.0;
@@ -56,33 +57,73 @@ impl Segment {
         Segment { from, length, run: along.x, slope: along.y / along.x, direction: along / length, longer }
     }
 
-    /// Reads a pixel of each step, with nothing in between, which brings them from memory all at once. Steps are `step`
-    /// pixels apart, pixels across the line `cross`.
-    fn touch(&self, pixels: &[Pixel], step: usize, cross: usize) {
-        let mut at = self.from;
-        let mut read = 0;
-        for _ in 0..=self.run as usize {
-            let place = at.x as usize * step + at.y as usize * cross;
-            read ^= pixels.get(place).map_or(0, |pixel| u32::from_ne_bytes(*pixel));
-            at += DVec2::new(1.0, self.slope);
+    /// Leaves of the four pixels of a step at the end of the line what lies before the end; `step` and `first` are their
+    /// numbers along and across the line.
+    #[inline]
+    fn end(&self, step: i32, first: i32, samples: [u8; 4]) -> [u8; 4] {
+        /// Parts of a pixel.
+        const ONE: i16 = 64;
+        /// More than four pixels have.
+        const FAR: f64 = 1024.0;
+        // How far the middle of the first pixel lies behind the beginning and before the end, and half a pixel more.
+        let middle = DVec2::new(f64::from(step), f64::from(first)) + 0.5 - self.from;
+        let begun = middle.dot(self.direction) + self.longer + 0.5;
+        let left = self.length + 2.0 * self.longer + 1.0 - begun;
+        let parts = |t: f64| (t * f64::from(ONE)).clamp(-FAR, FAR) as i16;
+        let (begun, left, step) = (parts(begun), parts(left), parts(self.direction.y));
+        let mut steps = [0, step, 2 * step, 3 * step];
+        for (kept, count) in steps.iter_mut().zip(samples) {
+            let part = (begun + *kept).clamp(0, ONE) + (left - *kept).clamp(0, ONE) - ONE;
+            *kept = (i16::from(count) * part.max(0) + ONE / 2) / ONE;
         }
-        std::hint::black_box(read);
+        steps.map(|count| count as u8)
+    }
+}
+
+/// The whole places in a fixed point number.
+const FRACTION: u32 = 32;
+
+/// The steps in which pixels of a line lie.
+struct Steps {
+    all: RangeInclusive<i32>,
+    /// Those at which no end is to be seen.
+    inner: Range<i32>,
+    /// Where the first of the four pixels of the first step lies, and by how much further that of the next.
+    first: i64,
+    slope: i64,
+}
+
+impl Steps {
+    #[inline]
+    fn new(line: &Segment, width: f64) -> Self {
+        // How far the ends reach, and from where on they are not to be seen.
+        let (cos, sin) = (line.direction.x, line.direction.y.abs());
+        let reach = line.longer * cos + 0.5 * width * sin + 0.5;
+        let inner = (0.5 - line.longer + (ABOVE + 1.0) * sin) * cos + 0.5;
+        let (from, to) = (line.from.x, line.from.x + line.run);
+        let start = (from - reach) as i32;
+        let ahead = f64::from(start) + 0.5 - from;
+        let fixed = |x: f64| (x * (1u64 << FRACTION) as f64) as i64;
+        Steps {
+            all: start..=(to + reach) as i32,
+            inner: (from + inner + 0.5) as i32..(to - inner + 0.5) as i32,
+            first: fixed(line.from.y + ahead * line.slope - ABOVE),
+            slope: fixed(line.slope),
+        }
     }
 
-    /// Leaves of the four pixels of a step at the end of the line what lies before the end.
+    /// Reads a pixel of each step, with nothing in between, which brings them from memory all at once. Steps are `along`
+    /// pixels apart, pixels across the line `across`.
     #[inline]
-    fn end(&self, ahead: f64, first: f64, samples: [u8; 4]) -> [u8; 4] {
-        /// Parts of a pixel.
-        const ONE: f64 = 256.0;
-        let t = ahead * self.direction.x + (first + 0.5 - self.from.y) * self.direction.y + self.longer + 0.5;
-        let whole = ((self.length + 2.0 * self.longer + 1.0) * ONE) as i32;
-        let step = (self.direction.y * ONE) as i32;
-        let mut t = (t * ONE) as i32;
-        samples.map(|count| {
-            let left = t.clamp(0, ONE as i32) + (whole - t).clamp(0, ONE as i32) - ONE as i32;
-            t += step;
-            ((i32::from(count) * left.max(0) + 128) >> 8) as u8
-        })
+    fn touch(&self, pixels: &[Pixel], along: usize, across: usize) {
+        let mut read = 0;
+        let mut second = self.first + (1 << FRACTION);
+        for step in self.all.clone() {
+            let place = step as usize * along + (second >> FRACTION) as usize * across;
+            read ^= pixels.get(place).map_or(0, |pixel| u32::from_ne_bytes(*pixel));
+            second += self.slope;
+        }
+        std::hint::black_box(read);
     }
 }
 
@@ -113,8 +154,9 @@ impl Lone {
         let columns = columns as usize;
         if along.y > along.x {
             let line = Segment::new(DVec2::new(a.y, a.x), DVec2::new(b.y, b.x), width, cap);
-            line.touch(pixels, columns, 1);
-            self.steps(&line, width, |row, column, samples| {
+            let steps = Steps::new(&line, width);
+            steps.touch(pixels, columns, 1);
+            self.draw_steps(&line, steps, width, |row, column, samples| {
                 let start = row * columns + column;
                 if let Some(below) = pixels.get_mut(start..).and_then(|rest| rest.first_chunk_mut()) {
                     ink.over_four(below, samples);
@@ -122,12 +164,15 @@ impl Lone {
             });
         } else {
             let line = Segment::new(a, b, width, cap);
-            line.touch(pixels, 1, columns);
-            self.steps(&line, width, |column, row, samples| {
+            let steps = Steps::new(&line, width);
+            steps.touch(pixels, 1, columns);
+            self.draw_steps(&line, steps, width, |column, row, samples| {
                 let start = row * columns + column;
                 let Some(pixels) = pixels.get_mut(start..=start + 3 * columns) else { return };
-                for (at, samples) in (0..).step_by(columns).zip(samples) {
-                    ink.over_samples(&mut pixels[at], samples);
+                let mut four = [0, 1, 2, 3].map(|i| pixels[i * columns]);
+                ink.over_four(&mut four, samples);
+                for (at, pixel) in (0..).step_by(columns).zip(four) {
+                    pixels[at] = pixel;
                 }
             });
         }
@@ -136,30 +181,24 @@ impl Lone {
 
     /// Gives every step along a line, the first of the four pixels across it, and how many samples of them are covered.
     #[inline]
-    fn steps(&mut self, line: &Segment, width: f64, mut put: impl FnMut(usize, usize, [u8; 4])) {
-        /// The whole places in a fixed point number.
-        const FRACTION: u32 = 32;
+    fn draw_steps(
+        &mut self,
+        line: &Segment,
+        steps: Steps,
+        width: f64,
+        mut put: impl FnMut(usize, usize, [u8; 4]),
+    ) {
         let profile = self.profile(width, line.slope.abs());
-        // How far the ends reach, and from where on they are not to be seen.
-        let (cos, sin) = (line.direction.x, line.direction.y.abs());
-        let reach = line.longer * cos + 0.5 * width * sin + 0.5;
-        let inner = (0.5 - line.longer + (ABOVE + 1.0) * sin) * cos + 0.5;
-        let start = (line.from.x - reach) as usize;
-        let end = (line.from.x + line.run + reach) as usize;
-        let mut ahead = start as f64 + 0.5 - line.from.x;
-        let one = (1u64 << FRACTION) as f64;
-        let mut middle = ((line.from.y + ahead * line.slope - ABOVE) * one) as i64;
-        let step = (line.slope * one) as i64;
-        for main in start..=end {
-            let first = (middle >> FRACTION) as usize;
-            let place = (middle >> (FRACTION - PLACES.trailing_zeros())) as usize % PLACES;
+        let mut exact = steps.first;
+        for step in steps.all {
+            let first = exact >> FRACTION;
+            let place = (exact >> (FRACTION - PLACES.trailing_zeros())) as usize % PLACES;
             let mut samples = profile[place];
-            if ahead < inner || ahead > line.run - inner {
-                samples = line.end(ahead, first as f64, samples);
+            if !steps.inner.contains(&step) {
+                samples = line.end(step, first as i32, samples);
             }
-            put(main, first, samples);
-            middle += step;
-            ahead += 1.0;
+            put(step as usize, first as usize, samples);
+            exact += steps.slope;
         }
     }
 

@@ -5,7 +5,7 @@ use super::bitmap::Bitmap;
 use super::cells::CellMap;
 use super::clip::Window;
 use super::composite::{over, pixel, times};
-use gks_algorithms::coverage::AreaMask;
+use gks_algorithms::coverage::{AreaMask, Gain};
 use gks_algorithms::path::Rule;
 use gks_algorithms::rect::IRect;
 use gks_geometry::{Du, Paths};
@@ -26,11 +26,11 @@ pub(super) fn fill(
     let corner = |column: u32, row: u32| IVec2::new(column as i32, row as i32);
     let pixels = IRect::new(corner(columns.start, rows.start), corner(columns.end, rows.end));
     let colours: Vec<_> = grid.paints.iter().map(|paint| pixel(paint.colour)).collect();
-    mask.runs(rings.points, rings.ends, (rule, 1), pixels, |row, from, to, covered| {
+    mask.cover(rings.points, rings.ends, (rule, Gain::One), pixels, |row, from, cover| {
         let row = row as u32;
-        let line = bitmap.span(row as usize, from as usize..to as usize);
-        for (column, below) in (from as u32..).zip(line) {
-            over(below, colours[map.tiled(column, row)], times(covered, window.coverage(column, row)));
+        let line = bitmap.rest(row as usize, from as usize);
+        for ((column, below), part) in (from as u32..).zip(line).zip(cover.parts()) {
+            over(below, colours[map.tiled(column, row)], times(part, window.coverage(column, row)));
         }
     });
 }

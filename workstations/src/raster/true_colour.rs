@@ -4,7 +4,7 @@ use super::aliased::{Aliased, rule};
 use super::bitmap::Bitmap;
 use super::clip::Window;
 use super::coloured_cells;
-use super::composite::{colour, over_run, pixel};
+use super::composite::{colour, over_cover, over_run, pixel};
 use super::describe::{Layout, SizeError};
 use super::encode::{self, Care, Format, Samples};
 use super::letters::Letters;
@@ -12,7 +12,7 @@ use super::lines::Lines;
 use super::markers::Markers;
 use super::pattern;
 use crate::options::Options;
-use gks_algorithms::coverage::AreaMask;
+use gks_algorithms::coverage::{AreaMask, Gain};
 use gks_algorithms::path;
 use gks_algorithms::rect::IRect;
 use gks_geometry::{Du, LongLine, PathBuf, Paths, Rect};
@@ -171,10 +171,9 @@ impl TrueColour {
         let corner = |column: u32, row: u32| IVec2::new(column as i32, row as i32);
         let window = IRect::new(corner(columns.start, rows.start), corner(columns.end, rows.end));
         canvas.touch(&columns, &rows);
-        let gain = if by == Rule::EvenOdd && above[3] == 255 { 2 } else { 1 };
-        self.areas.runs(rings.points, rings.ends, (rule(by), gain), window, |row, from, to, covered| {
-            let run = canvas.span(row as usize, from as usize..to as usize);
-            over_run(run, above, covered);
+        let gain = if by == Rule::EvenOdd && above[3] == 255 { Gain::Double } else { Gain::One };
+        self.areas.cover(rings.points, rings.ends, (rule(by), gain), window, |row, from, cover| {
+            over_cover(canvas.rest(row as usize, from as usize), above, cover);
         });
     }
 

@@ -4,6 +4,7 @@
 use crate::path::{Rule, ring_edges, subpaths};
 use crate::rect::IRect;
 use glam::DVec2;
+use std::ops::Range;
 
 /// Steps of a coordinate in a pixel.
 const STEPS: i32 = 256;
@@ -11,6 +12,37 @@ const STEPS: i32 = 256;
 const FRACTION: f64 = (1_u64 << 32) as f64;
 /// A whole pixel: twice the area in steps.
 const WHOLE: i32 = 2 * STEPS * STEPS;
+/// As many cells are summed up together, which processors do at once.
+const GROUP: usize = 8;
+
+/// How many times what is covered of a pixel counts, up to the whole pixel.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum Gain {
+    /// As it is.
+    One,
+    /// Twice: pixels that are half covered are covered.
+    Double,
+}
+
+/// How much of neighbouring pixels of a row is covered, in parts of 255.
+#[derive(Copy, Clone, Debug)]
+pub enum Cover<'a> {
+    /// So many pixels are covered alike, by more than nothing.
+    Alike(usize, u8),
+    /// The parts of each of them, eight except at the end of a row.
+    Each(&'a [u8]),
+}
+
+impl Cover<'_> {
+    /// The parts of one pixel after the other.
+    pub fn parts(&self) -> impl Iterator<Item = u8> {
+        let (count, alike, each) = match *self {
+            Cover::Alike(count, part) => (count, part, [].as_slice()),
+            Cover::Each(parts) => (0, 0, parts),
+        };
+        std::iter::repeat_n(alike, count).chain(each.iter().copied())
+    }
+}
 
 /// The area of each pixel of a raster that rings cover.
 ///
@@ -20,11 +52,14 @@ const WHOLE: i32 = 2 * STEPS * STEPS;
 pub struct AreaMask {
     width: usize,
     height: usize,
-    /// For each pixel, and one more in each row, by how much more of it is covered than of the one before.
+    /// For each pixel, and a few more in each row, by how much more of it is covered than of the one before.
     cells: Vec<i32>,
-    /// A bit for each cell that may not be zero.
+    /// The cells of a row, which are whole groups.
+    stride: usize,
+    /// For each row, a bit for each section of it whose cells may not all be zero.
     touched: Vec<u64>,
-    words: usize,
+    /// The binary logarithm of the cells of a section.
+    section: u32,
     rows: (usize, usize),
 }
 
@@ -34,19 +69,18 @@ impl AreaMask {
         Self::default()
     }
 
-    /// Gives how much of the pixels in a window is covered by rings: runs of pixels of one row that are covered
-    /// alike (row, first column, one past the last one, parts of 255). Rows come in ascending order, runs from left to
-    /// right, pixels that are not covered not at all.
+    /// Gives how much of the pixels in a window is covered by rings: the row, the first column, and what is covered from
+    /// there on. Rows come in ascending order, pixels from left to right, those left out are not covered.
     ///
     /// Where rings overlap inside of a pixel, the areas are added before the rule decides. Vertices that are not
     /// usable are left out. What is covered counts `gain` times, up to the whole pixel.
-    pub fn runs(
+    pub fn cover(
         &mut self,
         points: &[DVec2],
         ends: &[u32],
-        (rule, gain): (Rule, u8),
+        look: (Rule, Gain),
         window: IRect,
-        mut run: impl FnMut(i32, i32, i32, u8),
+        mut put: impl FnMut(i32, i32, Cover<'_>),
     ) {
         if window.is_empty() {
             return;
@@ -62,22 +96,22 @@ impl AreaMask {
         }
         for row in self.rows.0..self.rows.1 {
             let y = window.min.y + row as i32;
-            self.sweep(row, (rule, gain), |from, to, covered| {
-                run(y, window.min.x + from, window.min.x + to, covered);
-            });
+            self.sweep(row, look, |column, cover| put(y, window.min.x + column as i32, cover));
         }
     }
 
     fn begin(&mut self, window: IRect) {
         self.width = (window.max.x - window.min.x) as usize;
         self.height = (window.max.y - window.min.y) as usize;
-        self.words = (self.width + 1) / 64 + 1;
-        let (cells, words) = ((self.width + 2) * self.height, self.words * self.height);
-        if self.cells.len() < cells {
-            self.cells.resize(cells, 0);
+        // An edge at the right side of the window enters two cells behind it.
+        self.stride = (self.width + 2).next_multiple_of(GROUP);
+        let section = self.stride.div_ceil(u64::BITS as usize).next_power_of_two().max(GROUP);
+        self.section = section.trailing_zeros();
+        if self.cells.len() < self.stride * self.height {
+            self.cells.resize(self.stride * self.height, 0);
         }
-        if self.touched.len() < words {
-            self.touched.resize(words, 0);
+        if self.touched.len() < self.height {
+            self.touched.resize(self.height, 0);
         }
         self.rows = (self.height, 0);
     }
@@ -148,20 +182,16 @@ impl AreaMask {
         // How far down the line goes for each step aside; it leaves a row at once if that is more than a row.
         let within = x0 / STEPS == x1 / STEPS;
         let steepness = if within { 0 } else { ((fall / run.abs()).min(f64::from(STEPS)) * FRACTION) as i64 };
-        if first == last {
-            return self.piece(first, (x0, x1), (y1 - y0) * turn, steepness);
-        }
         let slope = (run / fall * FRACTION) as i64;
-        let below = (first as i32 + 1) * STEPS;
-        let mut exact = (i64::from(x0) << 32) + i64::from(below - y0) * slope;
-        let (mut x, mut rise) = (x0, below - y0);
-        for row in first..last {
-            let next = (exact >> 32) as i32;
-            self.piece(row, (x, next), rise * turn, steepness);
-            (x, rise) = (next, STEPS);
+        let mut exact = (i64::from(x0) << 32) + i64::from((first as i32 + 1) * STEPS - y0) * slope;
+        let (mut x, mut y) = (x0, y0);
+        for row in first..=last {
+            let below = (row as i32 + 1) * STEPS;
+            let (next_x, next_y) = if row == last { (x1, y1) } else { ((exact >> 32) as i32, below) };
+            self.piece(row, (x, next_x), (next_y - y) * turn, steepness);
+            (x, y) = (next_x, next_y);
             exact += slope * i64::from(STEPS);
         }
-        self.piece(last, (x, x1), (y1 - last as i32 * STEPS) * turn, steepness);
     }
 
     /// Enters the part of a line in one row, which goes down by `rise` steps, and by `steepness` parts of [`FRACTION`]
@@ -171,8 +201,9 @@ impl AreaMask {
         let (left, right) = if x0 <= x1 { (x0, x1) } else { (x1, x0) };
         let column = |x: i32| x as usize / STEPS as usize;
         let (first, last) = (column(left), column((right - 1).max(left)));
-        touch(&mut self.touched[row * self.words..][..self.words], first, last + 1);
-        let start = row * (self.width + 2) + first;
+        let (from, to) = (first >> self.section, (last + 1) >> self.section);
+        self.touched[row] |= u64::MAX << from & u64::MAX >> (63 - to);
+        let start = row * self.stride + first;
         let cells = &mut self.cells[start..start + last - first + 2];
         // What lies right of the middle of the two ends is covered, and all of the next pixel.
         let mut enter = |column: usize, places: i32, rise: i32| {
@@ -196,50 +227,45 @@ impl AreaMask {
         enter(last - first, x + right - (last - first) as i32 * STEPS, rise - sum);
     }
 
-    /// Sums up a row, gives its runs and empties it.
-    fn sweep(&mut self, row: usize, (rule, gain): (Rule, u8), mut run: impl FnMut(i32, i32, u8)) {
-        let cells = &mut self.cells[row * (self.width + 2)..][..self.width + 2];
-        let touched = &mut self.touched[row * self.words..][..self.words];
-        // What is entered right of the window counts for nothing.
-        touched[self.width >> 6] &= !(u64::MAX << (self.width & 63));
-        touched[(self.width >> 6) + 1..].fill(0);
-        let (mut sum, mut covered, mut from) = (0i32, 0, 0);
-        for (word, bits) in touched.iter_mut().enumerate() {
-            let mut left = std::mem::take(bits);
-            while left != 0 {
-                let at = word * 64 + left.trailing_zeros() as usize;
-                left &= left - 1;
-                let now = sum.wrapping_add(std::mem::take(&mut cells[at]));
-                if now != sum {
-                    sum = now;
-                    let part = part_covered(sum, rule, gain);
-                    if part != covered {
-                        if covered > 0 && from < at {
-                            run(from as i32, at as i32, covered);
-                        }
-                        (covered, from) = (part, at);
-                    }
+    /// Sums up a row, gives what is covered of it and empties it.
+    fn sweep(&mut self, row: usize, look: (Rule, Gain), mut put: impl FnMut(usize, Cover<'_>)) {
+        let (groups, _) = self.cells[row * self.stride..][..self.stride].as_chunks_mut::<GROUP>();
+        let groups_in_section = 1 << (self.section - GROUP.trailing_zeros());
+        let mut touched = std::mem::take(&mut self.touched[row]);
+        let (mut sum, mut done) = (0i32, 0);
+        while touched != 0 {
+            let first = touched.trailing_zeros() as usize * groups_in_section;
+            touched &= touched - 1;
+            for (group, cells) in groups.iter_mut().enumerate().skip(first).take(groups_in_section) {
+                let start = group * GROUP;
+                if start > done {
+                    alike(sum, look, done..start.min(self.width), &mut put);
+                }
+                done = start + GROUP;
+                let mut sums = [0; GROUP];
+                for (here, cell) in sums.iter_mut().zip(cells) {
+                    sum = sum.wrapping_add(std::mem::take(cell));
+                    *here = sum;
+                }
+                let mut parts = [0; GROUP];
+                parts_covered(&sums, look, &mut parts);
+                if start < self.width && parts != [0; GROUP] {
+                    put(start, Cover::Each(&parts[..GROUP.min(self.width - start)]));
                 }
             }
         }
-        if covered > 0 && from < self.width {
-            run(from as i32, self.width as i32, covered);
-        }
-        cells[self.width..].fill(0);
+        alike(sum, look, done..self.width, &mut put);
     }
 }
 
-/// Sets the bits of cells, the last one included.
+/// Gives pixels that are covered alike, if they are.
 #[inline]
-fn touch(touched: &mut [u64], first: usize, last: usize) {
-    let (from, to) = (u64::MAX << (first & 63), u64::MAX >> (63 - (last & 63)));
-    let (one, other) = (first >> 6, last >> 6);
-    if one == other {
-        touched[one] |= from & to;
-    } else {
-        touched[one] |= from;
-        touched[one + 1..other].fill(u64::MAX);
-        touched[other] |= to;
+fn alike(sum: i32, look: (Rule, Gain), columns: Range<usize>, put: &mut impl FnMut(usize, Cover<'_>)) {
+    let mut parts = [0];
+    parts_covered(&[sum], look, &mut parts);
+    let [part] = parts;
+    if part > 0 && !columns.is_empty() {
+        put(columns.start, Cover::Alike(columns.len(), part));
     }
 }
 
@@ -250,20 +276,39 @@ fn fixed(p: DVec2) -> (i32, i32) {
     (steps(p.x), steps(p.y))
 }
 
-/// How many of 255 parts of a pixel are covered where areas add up to `sum` and count `gain` times.
-#[inline]
-fn part_covered(sum: i32, rule: Rule, gain: u8) -> u8 {
-    let area = sum.unsigned_abs();
-    let whole = WHOLE as u32;
-    let area = match rule {
-        Rule::NonZero => area.min(whole),
-        Rule::EvenOdd => {
-            let twice = area % (2 * whole);
-            twice.min(2 * whole - twice)
+/// Puts into `parts` how many of 255 parts of pixels are covered where areas add up to `sums`.
+#[inline(always)]
+fn parts_covered<const N: usize>(sums: &[i32; N], (rule, gain): (Rule, Gain), parts: &mut [u8; N]) {
+    /// A whole pixel in 16 bits; one less, which is the largest number, does as well.
+    const SHORT: i32 = 1 << 15;
+    const {
+        assert!(WHOLE == SHORT << 2);
+    }
+    // Loops that compilers turn into a few instructions for all numbers.
+    let mut areas = [0i16; N];
+    match rule {
+        Rule::NonZero => {
+            for (area, &sum) in areas.iter_mut().zip(sums) {
+                *area = (sum.unsigned_abs() >> 2).min(SHORT as u32 - 1) as i16;
+            }
         }
-    };
-    let area = (area * u32::from(gain)).min(whole);
-    ((area * 255 + whole / 2) / whole) as u8
+        Rule::EvenOdd => {
+            for (area, &sum) in areas.iter_mut().zip(sums) {
+                // Of two pixels, all but what is more or less than one.
+                let area_of_one = WHOLE - ((sum & (2 * WHOLE - 1)) - WHOLE).abs();
+                *area = (area_of_one >> 2).min(SHORT - 1) as i16;
+            }
+        }
+    }
+    if gain == Gain::Double {
+        for area in &mut areas {
+            *area = area.saturating_add(*area);
+        }
+    }
+    for (part, area) in parts.iter_mut().zip(areas) {
+        // Rounded: 65 is a half of a part.
+        *part = ((u32::from(area as u16 + 65) * (2 * 255)) >> 16) as u8;
+    }
 }
 
 #[cfg(test)]
@@ -275,14 +320,27 @@ mod tests {
 
     /// The parts of 255 of every pixel of a window, row by row.
     fn parts(points: &[DVec2], ends: &[u32], rule: Rule, window: IRect) -> Vec<Vec<u8>> {
+        parts_with(points, ends, (rule, Gain::One), window)
+    }
+
+    fn parts_with(points: &[DVec2], ends: &[u32], (rule, gain): (Rule, Gain), window: IRect) -> Vec<Vec<u8>> {
         let side = window.max - window.min;
         let mut rows = vec![vec![0; side.x as usize]; side.y as usize];
         let mut last = (i32::MIN, 0);
-        AreaMask::new().runs(points, ends, (rule, 1), window, |y, from, to, covered| {
-            assert!(from < to && (y, from) >= last && covered > 0, "out of order, overlapping or nothing");
-            last = (y, to);
-            let row = &mut rows[(y - window.min.y) as usize];
-            row[(from - window.min.x) as usize..(to - window.min.x) as usize].fill(covered);
+        AreaMask::new().cover(points, ends, (rule, gain), window, |y, from, cover| {
+            assert!((y, from) >= last, "out of order or overlapping");
+            let row = &mut rows[(y - window.min.y) as usize][(from - window.min.x) as usize..];
+            last = match cover {
+                Cover::Alike(count, part) => {
+                    assert!(count > 0 && part > 0, "nothing");
+                    row[..count].fill(part);
+                    (y, from + count as i32)
+                }
+                Cover::Each(parts) => {
+                    row[..parts.len()].copy_from_slice(parts);
+                    (y, from + parts.len() as i32)
+                }
+            };
         });
         rows
     }
@@ -304,12 +362,8 @@ mod tests {
     #[test]
     fn gain_fills_pixels_that_are_half_covered() {
         let square = ring(&[(0.5, 0.25), (3.0, 0.25), (3.0, 1.25), (0.5, 1.25)]);
-        let mut found = Vec::new();
-        let window = IRect::of_size(4, 2);
-        AreaMask::new().runs(&square, &[4], (Rule::EvenOdd, 2), window, |y, from, to, covered| {
-            found.push((y, from, to, covered));
-        });
-        assert_eq!(found, [(0, 0, 1, 191), (0, 1, 3, 255), (1, 0, 1, 64), (1, 1, 3, 128)]);
+        let found = parts_with(&square, &[4], (Rule::EvenOdd, Gain::Double), IRect::of_size(4, 2));
+        assert_eq!(found, [[191, 255, 255, 0], [64, 128, 128, 0]]);
     }
 
     #[test]
@@ -369,27 +423,49 @@ mod tests {
     #[test]
     fn huge_and_bad_coordinates_and_the_next_area() {
         let mut mask = AreaMask::new();
+        let even_odd = (Rule::EvenOdd, Gain::One);
         let far = 1e150;
         let all = ring(&[(-far, -far), (far, -far), (f64::NAN, 0.0), (far, far), (-far, far)]);
-        for (width, height) in [(3, 2), (200, 3), (1, 1), (64, 2), (127, 2)] {
+        for (width, height) in [(3, 2), (200, 3), (1, 1), (64, 2), (127, 2), (5000, 1), (6, 4)] {
             let mut area = 0;
-            mask.runs(
-                &all,
-                &[5],
-                (Rule::EvenOdd, 1),
-                IRect::of_size(width, height),
-                |_, from, to, covered| {
-                    area += (to - from) * i32::from(covered);
-                },
-            );
+            mask.cover(&all, &[5], even_odd, IRect::of_size(width, height), |_, _, cover| {
+                area += match cover {
+                    Cover::Alike(count, part) => count as i32 * i32::from(part),
+                    Cover::Each(parts) => parts.iter().map(|&part| i32::from(part)).sum(),
+                };
+            });
             assert_eq!(area, width * height * 255);
         }
-        mask.runs(&all, &[5], (Rule::EvenOdd, 1), IRect::default(), |_, _, _, _| {
-            panic!("an empty window has no runs")
+        mask.cover(&all, &[5], even_odd, IRect::default(), |_, _, _| {
+            panic!("an empty window is not covered")
         });
         let right = ring(&[(3.0, 0.0), (9.0, 0.0), (9.0, 2.0), (3.0, 2.0)]);
-        mask.runs(&right, &[4], (Rule::EvenOdd, 1), IRect::of_size(3, 2), |_, _, _, _| {
-            panic!("all lies outside")
+        mask.cover(&right, &[4], even_odd, IRect::of_size(3, 2), |_, _, cover| {
+            assert!(cover.parts().all(|part| part == 0), "all lies outside");
         });
+    }
+
+    #[test]
+    fn parts_are_rounded_areas() {
+        let part = |sum: i32, rule, gain| {
+            let mut parts = [0];
+            parts_covered(&[sum], (rule, gain), &mut parts);
+            parts[0]
+        };
+        for sum in (-3 * WHOLE..3 * WHOLE).step_by(7) {
+            let whole = f64::from(WHOLE);
+            let area = f64::from(sum).abs() / whole;
+            let expected = |area: f64| area.min(1.0) * 255.0;
+            let non_zero = part(sum, Rule::NonZero, Gain::One);
+            let double = part(sum, Rule::NonZero, Gain::Double);
+            let even_odd = part(sum, Rule::EvenOdd, Gain::One);
+            let folded = (area % 2.0).min(2.0 - area % 2.0);
+            for (found, area) in [(non_zero, area), (double, 2.0 * area), (even_odd, folded)] {
+                assert!((f64::from(found) - expected(area)).abs() < 0.53, "{sum}: {found} {area}");
+            }
+        }
+        for sum in [i32::MIN, i32::MAX] {
+            assert_eq!(part(sum, Rule::NonZero, Gain::Double), 255);
+        }
     }
 }

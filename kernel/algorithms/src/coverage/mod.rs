@@ -7,5 +7,5 @@
 mod area_mask;
 mod sample_mask;
 
-pub use area_mask::AreaMask;
+pub use area_mask::{AreaMask, Cover, Gain};
 pub use sample_mask::{SAMPLES, SampleMask};
