@@ -9,6 +9,7 @@ mod arc;
 mod area;
 mod context;
 mod figure;
+mod hatch;
 mod line;
 mod mapping;
 mod palette;
@@ -104,6 +105,10 @@ impl<D: Decoder> Interpreter<D> {
 
     /// Acts on an element.
     fn interpret(&mut self, element: &Element) {
+        if element.kind == Kind::SegmentTransformation {
+            self.transform_segment(element);
+            return;
+        }
         if self.segments.collects(element) {
             // A segment outside of pictures is drawn only when it is copied.
             if self.mapping.is_none() {
@@ -158,6 +163,11 @@ impl<D: Decoder> Interpreter<D> {
                     figure.end_region();
                 }
             }
+            Kind::ConnectingEdge => {
+                if let Some(figure) = &mut self.figure {
+                    figure.connecting_edge();
+                }
+            }
             Kind::BeginTileArray => self.tiles = TileArray::new(element),
             Kind::EndTileArray => self.tiles = None,
             Kind::SavePrimitiveContext => {
@@ -173,7 +183,11 @@ impl<D: Decoder> Interpreter<D> {
                     self.context = context.clone();
                 }
             }
-            Kind::BeginSegment | Kind::EndSegment => {}
+            Kind::BeginSegment => {
+                self.end_segment();
+                self.begin_segment();
+            }
+            Kind::EndSegment => self.end_segment(),
             Kind::CopySegment => self.copy_segment(element),
             _ => return false,
         }
@@ -280,18 +294,28 @@ impl<D: Decoder> Interpreter<D> {
 
     /// Draws a primitive with a look.
     fn draw(&mut self, drawing: Drawing, look: Look) {
+        // Nothing is to be seen where nothing is left.
+        let Some(clip) = self.clip().filter(Rect::is_proper) else { return };
+        self.drawn = true;
+        self.queue.draw(drawing, look, clip);
+    }
+
+    /// What is drawn is clipped to, if anything is left of it.
+    fn clip(&mut self) -> Option<Rect<Ndc>> {
+        // A segment that is being defined is transformed, but not what it is clipped to.
         let mapping = self.mapping();
-        let clip = match self.context.clip {
+        let own = match self.context.clip {
             Some((first, second)) if self.context.clipping => {
-                let rect = mapping.rect(first, second);
-                // Nothing is to be seen where nothing is left.
-                let Some(part) = rect.intersection(&mapping.window).filter(Rect::is_proper) else { return };
-                part
+                let place = self.segments.place().unwrap_or(mapping);
+                place.rect(first, second).intersection(&mapping.window)?
             }
             _ => mapping.window,
         };
-        self.drawn = true;
-        self.queue.draw(drawing, look, clip);
+        match self.segments.clip() {
+            Some(outer) if self.context.clipped_as_copied => Some(outer),
+            Some(outer) => own.intersection(&outer),
+            None => Some(own),
+        }
     }
 
     /// The next element: of a segment that is being copied, else of the metafile.
