@@ -15,11 +15,13 @@ pub struct Coding {
     pub precisions: Precisions,
     /// The modes.
     pub modes: Modes,
+    /// The columns and rows of the tiles of the tile array that is open.
+    pub(super) tile_size: Option<(usize, usize)>,
 }
 
 impl Default for Coding {
     fn default() -> Self {
-        Coding { precisions: Precisions::default(), modes: Modes::new(255.0) }
+        Coding { precisions: Precisions::default(), modes: Modes::new(255.0), tile_size: None }
     }
 }
 
@@ -28,9 +30,16 @@ impl Coding {
     pub fn observe(&mut self, element: &Element) {
         self.precisions.observe(element);
         self.modes.observe(element);
-        if element.kind == Kind::ColourPrecision {
+        match element.kind {
             // The greatest component follows the precision unless it is said otherwise.
-            self.modes.extent.1 = [f64::from(u32::MAX >> (32 - self.precisions.colour)); 4];
+            Kind::ColourPrecision => {
+                self.modes.extent.1 = [f64::from(u32::MAX >> (32 - self.precisions.colour)); 4];
+            }
+            Kind::BeginTileArray => {
+                let count = |place: usize| usize::try_from(element.integer(place)?).ok();
+                self.tile_size = count(5).zip(count(6));
+            }
+            _ => {}
         }
     }
 
@@ -40,7 +49,12 @@ impl Coding {
         let mut octets = Octets::new(octets);
         // Whether all parameters are there is seen by their number.
         let _ = self.list(row, row.parameters, &mut octets, &mut values);
-        Element { kind: row.kind, values }
+        let mut element = Element { kind: row.kind, values };
+        if row.parameters.last() == Some(&Parameter::Bits) {
+            let cells = self.tile(&element, octets.take_all());
+            element.values.extend(cells.map(Value::Cells));
+        }
+        element
     }
 
     fn list(
@@ -77,6 +91,8 @@ impl Coding {
                     values.push(Value::Integer(self.integer(octets)?));
                     values.push(Value::Integer(self.integer(octets)?));
                 }
+                // What is left, to which the element gives its sense.
+                Parameter::Bits => {}
                 single => values.push(self.single(*single, octets)?),
             }
         }
@@ -84,7 +100,7 @@ impl Coding {
     }
 
     fn single(&self, parameter: Parameter, octets: &mut Octets<'_>) -> Option<Value> {
-        let Coding { precisions, modes } = self;
+        let Coding { precisions, modes, .. } = self;
         let size = |mode: SizeMode, octets: &mut Octets<'_>| match mode {
             SizeMode::Absolute => self.coordinate(octets).map(Value::Real),
             _ => octets.real(precisions.real).map(Value::Real),
@@ -118,10 +134,9 @@ impl Coding {
             Parameter::StyleSize => size(modes.style_size, octets)?,
             Parameter::Cells => Value::Cells(self.cells(octets, true)?),
             Parameter::Pattern => Value::Cells(self.cells(octets, false)?),
-            Parameter::ElementList | Parameter::Bits | Parameter::Raw => {
-                Value::Data(octets.take_all().to_vec())
-            }
-            Parameter::CountedPoints
+            Parameter::ElementList | Parameter::Raw => Value::Data(octets.take_all().to_vec()),
+            Parameter::Bits
+            | Parameter::CountedPoints
             | Parameter::Spline
             | Parameter::RationalSpline
             | Parameter::Repeat(_) => return None,
@@ -177,12 +192,7 @@ impl Coding {
         let packed = !runs || octets.signed(16)? != 0;
         let (columns, rows) = (usize::try_from(columns).ok()?, usize::try_from(rows).ok()?);
         columns.checked_mul(rows).filter(|&count| count > 0)?;
-        let default = if self.modes.direct { self.precisions.colour } else { self.precisions.colour_index };
-        let precision = match local {
-            0 => default,
-            1 | 2 | 4 | 8 | 16 | 24 | 32 => local as u32,
-            _ => return None,
-        };
+        let precision = self.local_precision(local)?;
         let octets = octets.take_all();
         let inks = if packed {
             self.packed(columns, rows, precision, octets)
@@ -190,6 +200,16 @@ impl Coding {
             self.runs(columns, rows, precision, octets)
         }?;
         Some(Cells { columns, rows, inks })
+    }
+
+    /// The bits of a colour index or component of a cell: as many as are said, or as elsewhere.
+    pub(super) fn local_precision(&self, local: i32) -> Option<u32> {
+        match local {
+            0 if self.modes.direct => Some(self.precisions.colour),
+            0 => Some(self.precisions.colour_index),
+            1 | 2 | 4 | 8 | 16 | 24 | 32 => Some(local as u32),
+            _ => None,
+        }
     }
 
     /// Every cell, rows on word boundaries. Every cell takes a bit at least, so that the octets bound them.
@@ -204,7 +224,7 @@ impl Coding {
             for _ in 0..columns {
                 self.cell(&mut bits, precision, 1, &mut inks)?;
             }
-            bits.align();
+            bits.align(16);
         }
         Some(inks)
     }
@@ -223,16 +243,22 @@ impl Coding {
                 let count = count.min(end - inks.len());
                 self.cell(&mut bits, precision, count, &mut inks)?;
             }
-            bits.align();
+            bits.align(16);
         }
         Some(inks)
     }
 
-    fn inks(&self) -> Inks {
+    pub(super) fn inks(&self) -> Inks {
         if self.modes.direct { Inks::Direct(Vec::new()) } else { Inks::Indices(Vec::new()) }
     }
 
-    fn cell(&self, bits: &mut Bits<'_>, precision: u32, count: usize, inks: &mut Inks) -> Option<()> {
+    pub(super) fn cell(
+        &self,
+        bits: &mut Bits<'_>,
+        precision: u32,
+        count: usize,
+        inks: &mut Inks,
+    ) -> Option<()> {
         match inks {
             Inks::Indices(indices) => {
                 let index = bits.next(precision)?.min(i32::MAX as u32) as i32;
