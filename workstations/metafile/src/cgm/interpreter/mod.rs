@@ -29,7 +29,7 @@ use gks_geometry::{Ndc, PathBuf, Rect, Wc};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::generated::numbers::escape;
 use gks_pipeline::look::Look;
-use gks_pipeline::record::{Record, Skipped, Source, SourceError};
+use gks_pipeline::record::{Contents, Record, Skipped, Source, SourceError};
 use mapping::Mapping;
 use palette::Palette;
 use queue::{Drawing, Entry, Queue};
@@ -60,6 +60,8 @@ pub struct Interpreter<D> {
     drawn: bool,
     /// Our numbers of the fonts of the font list.
     fonts: Vec<i32>,
+    /// How many elements of each kind there were, and the font list.
+    contents: Contents,
     /// Whether the metafile is one of ours.
     own: bool,
     text: Option<PendingText>,
@@ -88,6 +90,7 @@ impl<D: Decoder> Interpreter<D> {
             zero_is_background: false,
             drawn: false,
             fonts: Vec::new(),
+            contents: Contents::default(),
             own: false,
             text: None,
             compound: Default::default(),
@@ -198,7 +201,8 @@ impl<D: Decoder> Interpreter<D> {
         match element.kind {
             Kind::FontList => {
                 let names = (0..element.values.len()).filter_map(|place| element.bytes(place));
-                self.fonts = names.map(fonts::number).collect();
+                self.fonts = names.clone().map(fonts::number).collect();
+                self.contents.fonts = names.map(text::decoded).collect();
             }
             Kind::MetafileDescription => {
                 let text = element.bytes(0).unwrap_or_default();
@@ -323,7 +327,11 @@ impl<D: Decoder> Interpreter<D> {
         if let Some(element) = self.copied_element() {
             return Ok(Some(element));
         }
-        self.decoder.next()
+        let element = self.decoder.next()?;
+        if let Some(element) = &element {
+            *self.contents.elements.entry(element.kind.row().name).or_default() += 1;
+        }
+        Ok(element)
     }
 }
 
@@ -355,6 +363,10 @@ impl<D: Decoder> Source for Interpreter<D> {
         let mut skipped = self.decoder.skipped().clone();
         skipped.extend(&self.skipped);
         skipped
+    }
+
+    fn contents(&self) -> Contents {
+        self.contents.clone()
     }
 }
 
