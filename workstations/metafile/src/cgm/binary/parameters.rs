@@ -3,7 +3,7 @@
 use super::octets::{Bits, Octets};
 use super::precision::{Precisions, RealFormat};
 use crate::cgm::coding::{Modes, SizeMode};
-use crate::cgm::element::{Cells, Element, Ink, Inks, MOST_CELLS, Value, repeat};
+use crate::cgm::element::{Cells, Element, Ink, Inks, Value, most_cells, repeat};
 use crate::cgm::parameter::Parameter;
 use crate::generated::elements::{Kind, Row};
 use glam::DVec2;
@@ -216,13 +216,14 @@ impl Coding {
     fn packed(&self, columns: usize, rows: usize, precision: u32, octets: &[u8]) -> Option<Inks> {
         let mut bits = Bits::new(octets);
         let components = if self.modes.direct { self.modes.model.components() } else { 1 };
-        if columns.checked_mul(rows)?.checked_mul(components * precision as usize)? > octets.len() * 8 {
+        let most = columns.checked_mul(rows)?;
+        if most.checked_mul(components * precision as usize)? > octets.len() * 8 {
             return None;
         }
         let mut inks = self.inks();
         for _ in 0..rows {
             for _ in 0..columns {
-                self.cell(&mut bits, precision, 1, &mut inks)?;
+                self.cell(&mut bits, precision, 1, most, &mut inks)?;
             }
             bits.align(16);
         }
@@ -231,9 +232,7 @@ impl Coding {
 
     /// Runs of a count and a colour, each row on a word boundary of its own.
     fn runs(&self, columns: usize, rows: usize, precision: u32, octets: &[u8]) -> Option<Inks> {
-        if columns.checked_mul(rows)? > MOST_CELLS {
-            return None;
-        }
+        let most = columns.checked_mul(rows).filter(|most| *most <= most_cells(octets.len()))?;
         let mut bits = Bits::new(octets);
         let mut inks = self.inks();
         for row in 0..rows {
@@ -241,7 +240,7 @@ impl Coding {
             while inks.len() < end {
                 let count = bits.next(self.precisions.integer)? as usize;
                 let count = count.min(end - inks.len());
-                self.cell(&mut bits, precision, count, &mut inks)?;
+                self.cell(&mut bits, precision, count, most, &mut inks)?;
             }
             bits.align(16);
         }
@@ -252,17 +251,19 @@ impl Coding {
         if self.modes.direct { Inks::Direct(Vec::new()) } else { Inks::Indices(Vec::new()) }
     }
 
+    /// Appends a colour several times to those of an array that has `most` of them in all.
     pub(super) fn cell(
         &self,
         bits: &mut Bits<'_>,
         precision: u32,
         count: usize,
+        most: usize,
         inks: &mut Inks,
     ) -> Option<()> {
         match inks {
             Inks::Indices(indices) => {
                 let index = bits.next(precision)?.min(i32::MAX as u32) as i32;
-                repeat(indices, index, count, MOST_CELLS);
+                repeat(indices, index, count, most);
             }
             Inks::Direct(colours) => {
                 let mut components = [0.0; 4];
@@ -273,7 +274,7 @@ impl Coding {
                     *component = f64::from(bits.next(precision)?) * scale;
                 }
                 let [red, green, blue, _] = self.modes.colour(components).to_bytes();
-                repeat(colours, [red, green, blue], count, MOST_CELLS);
+                repeat(colours, [red, green, blue], count, most);
             }
         }
         Some(())

@@ -2,7 +2,7 @@
 
 use super::octets::{Bits, Octets};
 use super::parameters::Coding;
-use crate::cgm::element::{Cells, Element, Ink, Inks, MOST_CELLS, repeat};
+use crate::cgm::element::{Cells, Element, Ink, Inks, most_cells, repeat};
 use crate::generated::elements::Kind;
 
 /// Ways of compression: nothing but background or foreground, every cell, and runs of cells.
@@ -16,7 +16,8 @@ impl Coding {
     /// compression is another one, or cells are missing.
     pub(super) fn tile(&self, e: &Element, octets: &[u8]) -> Option<Cells> {
         let (columns, rows) = self.tile_size?;
-        let count = columns.checked_mul(rows).filter(|count| (1..=MOST_CELLS).contains(count))?;
+        let most = most_cells(octets.len());
+        let count = columns.checked_mul(rows).filter(|count| (1..=most).contains(count))?;
         let padding = usize::try_from(e.integer(1)?).ok()?.max(1);
         let both = (e.kind == Kind::BitonalTile).then(|| Some([e.ink(2)?, e.ink(3)?]));
         let (precision, both) = match both {
@@ -25,13 +26,13 @@ impl Coding {
         };
         let mut inks = self.inks();
         let mut bits = Bits::new(octets);
-        let put = |bits: &mut Bits<'_>, count: usize, inks: &mut Inks| match both {
-            Some(both) => add(both[bits.next(1)? as usize], count, inks),
-            None => self.cell(bits, precision, count, inks),
+        let put = |bits: &mut Bits<'_>, length: usize, inks: &mut Inks| match both {
+            Some(both) => add(both[bits.next(1)? as usize], length, count, inks),
+            None => self.cell(bits, precision, length, count, inks),
         };
         match (e.integer(0)?, both) {
-            (BACKGROUND, Some(both)) => add(both[0], count, &mut inks)?,
-            (FOREGROUND, Some(both)) => add(both[1], count, &mut inks)?,
+            (BACKGROUND, Some(both)) => add(both[0], count, count, &mut inks)?,
+            (FOREGROUND, Some(both)) => add(both[1], count, count, &mut inks)?,
             (BITMAP, _) => {
                 if count > octets.len() * 8 {
                     return None;
@@ -69,14 +70,15 @@ impl Coding {
     }
 }
 
-fn add(ink: Ink, count: usize, inks: &mut Inks) -> Option<()> {
+/// Appends a colour several times to those of a tile that has `most` of them in all.
+fn add(ink: Ink, count: usize, most: usize, inks: &mut Inks) -> Option<()> {
     match (inks, ink) {
         (Inks::Indices(indices), Ink::Index(index)) => {
-            repeat(indices, index.min(i32::MAX as u32) as i32, count, MOST_CELLS);
+            repeat(indices, index.min(i32::MAX as u32) as i32, count, most);
         }
         (Inks::Direct(colours), Ink::Direct(colour)) => {
             let [red, green, blue, _] = colour.to_bytes();
-            repeat(colours, [red, green, blue], count, MOST_CELLS);
+            repeat(colours, [red, green, blue], count, most);
         }
         _ => return None,
     }

@@ -111,8 +111,9 @@ impl<D: Decoder> Interpreter<D> {
     /// Fills an ellipse or a closed part of one, and draws its edge.
     pub(super) fn fill_ellipse(&mut self, ellipse: &Ellipse<Wc>) {
         if self.figure.is_some() {
-            let ring = Outline::Ellipse(*ellipse).flattened(self.tolerance());
+            let tolerance = self.tolerance();
             if let Some(figure) = &mut self.figure {
+                let ring = figure.flattened(Outline::Ellipse(*ellipse), tolerance);
                 figure.add_region(&ring.points, &ring);
             }
             return;

@@ -9,6 +9,7 @@ use gks_pipeline::generated::numbers::escape;
 use gks_pipeline::look::{Cap, Join};
 use glam::DVec2;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// How lines or edges look.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,8 +82,8 @@ pub(super) struct Context {
     pub(super) background: Option<Colour>,
     /// The colour table, as far as it is set.
     pub(super) colours: BTreeMap<u32, Colour>,
-    /// The pattern table.
-    pub(super) patterns: BTreeMap<i32, Cells>,
+    /// The pattern table, which contexts that are saved share.
+    pub(super) patterns: BTreeMap<i32, Arc<Cells>>,
     /// Line types and edge types that the metafile defines: dashes and gaps, and how their lengths are given.
     pub(super) dashes: BTreeMap<i32, (SizeMode, Vec<f64>)>,
     /// Hatch styles that the metafile defines.
@@ -341,7 +342,7 @@ impl Context {
             }
             Kind::PatternTable => {
                 if let (Some(index), Some(cells)) = (e.integer(0), e.cells(1)) {
-                    self.patterns.insert(index, cells.clone());
+                    self.patterns.insert(index, Arc::new(cells.clone()));
                 }
             }
             Kind::FillRepresentation => {

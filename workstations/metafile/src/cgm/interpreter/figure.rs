@@ -6,6 +6,9 @@ use crate::cgm::decoder::Decoder;
 use gks_geometry::{PathBuf, Wc};
 use glam::DVec2;
 
+/// The points that stand for curves in one figure, before they become fewer.
+const MOST_CHORDS: usize = 1 << 18;
+
 /// A figure under construction, in virtual device coordinates.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Figure {
@@ -15,6 +18,8 @@ pub(super) struct Figure {
     /// Whether an edge leads from where the boundary is to where it goes on.
     connected: bool,
     edges: PathBuf<Wc>,
+    /// How many points stand for curves.
+    chords: usize,
     /// The Bezier curves that are all there is so far.
     curves: Option<Vec<DVec2>>,
 }
@@ -35,7 +40,16 @@ impl Figure {
             Outline::Bezier(points) if is_first => Some(points.clone()),
             _ => None,
         };
-        self.add_lines(&outline.flattened(tolerance));
+        let lines = self.flattened(outline, tolerance);
+        self.add_lines(&lines);
+    }
+
+    /// An outline in chords; in few of them if there are very many already.
+    pub(super) fn flattened(&mut self, outline: Outline, tolerance: f64) -> PathBuf<Wc> {
+        let is_curve = !matches!(outline, Outline::Lines(_));
+        let lines = outline.flattened(if self.chords < MOST_CHORDS { tolerance } else { f64::INFINITY });
+        self.chords += if is_curve { lines.points.len() } else { 0 };
+        lines
     }
 
     /// Adds the boundary of an area as a region of its own.

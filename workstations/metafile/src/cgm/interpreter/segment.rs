@@ -4,7 +4,7 @@ use super::Interpreter;
 use super::context::Context;
 use super::mapping::Mapping;
 use crate::cgm::decoder::Decoder;
-use crate::cgm::element::Element;
+use crate::cgm::element::{Element, MOST_CELLS, Value};
 use crate::generated::elements::Kind;
 use gks_geometry::{Ndc, Rect};
 use glam::{DAffine2, DMat2};
@@ -27,6 +27,8 @@ pub(super) struct Segments {
     /// The mapping outside of the open segment, if that has a transformation.
     outside: Option<Mapping>,
     count: usize,
+    /// The cells in the elements that are kept.
+    cells: usize,
     copied: usize,
 }
 
@@ -57,8 +59,11 @@ impl Segments {
             }
             (Kind::EndPicture | Kind::BeginPicture, Some(_)) => (self.open, self.outside) = (None, None),
             (_, Some((_, elements))) => {
-                if self.count < MOST_ELEMENTS {
-                    self.count += 1;
+                let cells =
+                    |value: &Value| if let Value::Cells(cells) = value { cells.inks.len() } else { 0 };
+                let cells = self.cells + element.values.iter().map(cells).sum::<usize>();
+                if self.count < MOST_ELEMENTS && cells <= MOST_CELLS {
+                    (self.count, self.cells) = (self.count + 1, cells);
                     elements.push(element.clone());
                 }
                 return true;
