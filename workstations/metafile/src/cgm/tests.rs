@@ -246,10 +246,14 @@ fn skipped(bytes: &'static [u8], encoding: Encoding) -> (Vec<(String, u64)>, usi
 #[test]
 fn what_is_skipped_is_told() {
     let text =
-        b"BEGMF 'a'; BEGPIC 'b'; BEGPICBODY; BOGUS 1; bogus 2; LINE (0,0) (1,1); COPYSEG 7; MITRELIMIT 3;";
+        b"BEGMF 'a'; BEGPIC 'b'; BEGPICBODY; BOGUS 1; bogus 2; LINE (0,0) (1,1); COPYSEG 7; MITRELIMIT 3; TEXTSCORETYPE 1 1;";
     let (names, records) = skipped(text, Encoding::Text);
-    let wanted =
-        [("COPY SEGMENT with senseless parameters", 1), ("MITRE LIMIT", 1), ("unknown element bogus", 2)];
+    let wanted = [
+        ("COPY SEGMENT with senseless parameters", 1),
+        ("MITRE LIMIT", 1),
+        ("TEXT SCORE TYPE", 1),
+        ("unknown element bogus", 2),
+    ];
     assert_eq!(names, wanted.map(|(name, count)| (name.to_owned(), count)));
     assert!(records > 0, "the line is drawn");
     // Class 4, identifier 99, without parameters.

@@ -319,7 +319,7 @@ impl Context {
                 };
                 self.text_bundles.extend(bundle());
             }
-            Kind::CharacterSetIndex | Kind::AlternateCharacterSetIndex | Kind::TextScoreType => {}
+            Kind::CharacterSetIndex | Kind::AlternateCharacterSetIndex => {}
             _ => return false,
         }
         true
