@@ -11,7 +11,7 @@ use glam::{DAffine2, DMat2};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The most elements that segments keep, and that copying gives, in one metafile.
+/// The most elements that segments keep, and that copying gives, in one metafile; 256 cells count like one when copied.
 const MOST_ELEMENTS: usize = 1 << 20;
 
 /// The most copies inside of copies.
@@ -59,9 +59,7 @@ impl Segments {
             }
             (Kind::EndPicture | Kind::BeginPicture, Some(_)) => (self.open, self.outside) = (None, None),
             (_, Some((_, elements))) => {
-                let cells =
-                    |value: &Value| if let Value::Cells(cells) = value { cells.inks.len() } else { 0 };
-                let cells = self.cells + element.values.iter().map(cells).sum::<usize>();
+                let cells = self.cells + cells(element);
                 if self.count < MOST_ELEMENTS && cells <= MOST_CELLS {
                     (self.count, self.cells) = (self.count + 1, cells);
                     elements.push(element.clone());
@@ -82,6 +80,12 @@ impl Segments {
     pub(super) fn clip(&self) -> Option<Rect<Ndc>> {
         self.copies.last().map(|copying| copying.clip)
     }
+}
+
+/// The cells in an element.
+fn cells(element: &Element) -> usize {
+    let count = |value: &Value| if let Value::Cells(cells) = value { cells.inks.len() } else { 0 };
+    element.values.iter().map(count).sum()
 }
 
 /// The transformation whose parameters begin at a place.
@@ -155,7 +159,8 @@ impl<D: Decoder> Interpreter<D> {
                 && self.segments.copied < MOST_ELEMENTS
             {
                 copying.next += 1;
-                self.segments.copied += 1;
+                // Cells take time to draw.
+                self.segments.copied += 1 + cells(element) / 256;
                 return Some(element.clone());
             }
             if let Some(done) = self.segments.copies.pop() {
