@@ -1,5 +1,6 @@
 //! What the tests share that look at the system from outside.
 
+pub mod drawing;
 pub mod folder;
 pub mod likeness;
 pub mod operation;

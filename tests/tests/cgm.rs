@@ -1,13 +1,11 @@
 //! CGM in every encoding: what is written and played looks as if it had been drawn, and other readers understand it.
 
-use gks_metafile::{Format, ReadOptions, open_source};
 use gks_pipeline::generated::numbers::workstation_type as own;
+use gks_tests::drawing::{self, Way, drivers};
 use gks_tests::likeness;
-use gks_tests::pictures::{PICTURES, Picture, draw_gks};
+use gks_tests::pictures::{PICTURES, Picture};
 use gks_tests::program::repository;
 use gks_tests::reader;
-use gks_workstations::catalogue::Drivers;
-use gks_workstations::environment::Environment;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -17,39 +15,8 @@ const SURFACE: &str = "size=500x500";
 /// Left and lower edge and side of the unit square on a page of `ctrans`, in points.
 const PAGE_OF_CTRANS: [f64; 3] = [50.4, 140.4, 509.9];
 
-fn drivers() -> Box<Drivers> {
-    Box::new(Drivers::new(Environment::default()))
-}
-
 fn folder() -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cgm");
-    fs::create_dir_all(&folder).expect("the target folder can be written");
-    folder
-}
-
-/// Plays a metafile on the surface of the other pictures.
-fn play(file: &Path, image: &Path) -> Result<Format, String> {
-    let bytes = fs::File::open(file).map_err(|error| error.to_string())?;
-    let opened = open_source(bytes, &ReadOptions::default()).map_err(|error| error.to_string())?;
-    let mut source = opened.source;
-    let mut fault = None;
-    let played = draw_gks(drivers(), &format!("{}?{SURFACE}", image.display()), own::PNG, |gks, _| {
-        loop {
-            match source.next() {
-                Ok(None) => return Ok(()),
-                Ok(Some(record)) => gks.interpret(&record)?,
-                Err(error) => {
-                    fault = Some(error.to_string());
-                    return Ok(());
-                }
-            }
-        }
-    });
-    match (played, fault) {
-        (Ok(()), None) => Ok(opened.format),
-        (Err(error), _) => Err(error.to_string()),
-        (_, Some(fault)) => Err(fault),
-    }
+    drawing::folder(env!("CARGO_TARGET_TMPDIR"), "cgm")
 }
 
 fn pixels(file: &Path) -> Result<image::RgbaImage, String> {
@@ -84,37 +51,26 @@ enum Loss {
     Strays(u32),
 }
 
-/// Draws a picture directly and by way of a metafile; an error if more is lost than may be.
-fn round_trip(picture: &Picture, kind: i32, options: &str, loss: Loss) -> Result<(), String> {
-    let name = format!("{}-{kind}{}", picture.name, options.replace(['&', '='], "-"));
-    let file = |extension: &str| folder().join(format!("{name}.{extension}"));
-    let (direct, metafile, played) = (file("direct.png"), file("cgm"), file("played.png"));
-    let _ = fs::remove_file(&played);
-    picture.draw(drivers(), &format!("{}?{SURFACE}", direct.display()), own::PNG)?;
-    picture.draw(drivers(), &format!("{}?{SURFACE}{options}", metafile.display()), kind)?;
-    play(&metafile, &played).map_err(|error| format!("{name}: {error}"))?;
-    let (one, other) = (pixels(&direct)?, pixels(&played)?);
+fn compare(direct: &Path, played: &Path, loss: Loss) -> Result<(), String> {
+    let (one, other) = (pixels(direct)?, pixels(played)?);
     if one.dimensions() != other.dimensions() {
-        return Err(format!("{name}: another size"));
+        return Err("another size".to_owned());
     }
     match loss {
-        Loss::None => {
-            let count = one.pixels().zip(other.pixels()).filter(|(a, b)| a != b).count();
-            if count > 0 {
-                return Err(format!("{name}: {count} pixels differ"));
-            }
-        }
-        Loss::Strays(allowed) => {
-            let strays = strays(&one, &other);
-            if strays > allowed {
-                return Err(format!("{name}: {strays} of 10000 pixels are strays"));
-            }
-        }
+        Loss::None => match one.pixels().zip(other.pixels()).filter(|(a, b)| a != b).count() {
+            0 => Ok(()),
+            count => Err(format!("{count} pixels differ")),
+        },
+        Loss::Strays(allowed) => match strays(&one, &other) {
+            strays if strays <= allowed => Ok(()),
+            strays => Err(format!("{strays} of 10000 pixels are strays")),
+        },
     }
-    for file in [direct, metafile, played] {
-        let _ = fs::remove_file(file);
-    }
-    Ok(())
+}
+
+fn round_trip(picture: &Picture, kind: i32, options: &str, loss: Loss) -> Result<(), String> {
+    let way = Way { kind, options, surface: SURFACE, folder: &folder() };
+    drawing::round_trip(picture, way, |direct, played| compare(direct, played, loss))
 }
 
 fn all(kind: i32, options: &str, loss: Loss) {
@@ -182,11 +138,15 @@ fn ncar_draws_our_records_and_our_binary_encoding() {
         let direct = file(&format!("{name}.ncar.png"));
         let surface = format!("size={0}x{0}", likeness::SIZE);
         let picture = Picture::named(name);
-        picture.draw(drivers(), &format!("{}?{surface}", direct.display()), own::PNG).expect("a picture");
+        picture
+            .draw(Box::new(drivers()), &format!("{}?{surface}", direct.display()), own::PNG)
+            .expect("a picture");
         for kind in [own::NCGM, own::CGM] {
             let [metafile, records, page, image] =
                 ["cgm", "ncgm", "ps", "ctrans.png"].map(|end| file(&format!("{name}-{kind}.ncar.{end}")));
-            picture.draw(drivers(), &format!("{}?{surface}", metafile.display()), kind).expect("a metafile");
+            picture
+                .draw(Box::new(drivers()), &format!("{}?{surface}", metafile.display()), kind)
+                .expect("a metafile");
             let read = if kind == own::CGM {
                 let octets = fs::File::open(&metafile).expect("the metafile");
                 let converted = Command::new("cgm2ncgm").stdin(octets).output().expect("cgm2ncgm runs");
@@ -227,7 +187,9 @@ fn python_cgm_parses_our_clear_text_and_our_binary_encoding() {
     let picture = Picture::named("demo-gks");
     let [text, binary] = [(own::CGM_TEXT, "parsed.cgmt"), (own::CGM, "parsed.cgm")].map(|(kind, name)| {
         let file = folder().join(name);
-        picture.draw(drivers(), &format!("{}?{SURFACE}", file.display()), kind).expect("a metafile");
+        picture
+            .draw(Box::new(drivers()), &format!("{}?{SURFACE}", file.display()), kind)
+            .expect("a metafile");
         file
     });
     let words = fs::read_to_string(&text).expect("text");

@@ -2,11 +2,10 @@
 
 use gks_pipeline::description::Catalogue;
 use gks_pipeline::generated::numbers::workstation_type as own;
+use gks_tests::drawing::drivers;
 use gks_tests::folder::Folder;
 use gks_tests::pictures::Picture;
 use gks_tests::reader::{present, run, skip};
-use gks_workstations::catalogue::Drivers;
-use gks_workstations::environment::Environment;
 use std::fs;
 use std::path::Path;
 
@@ -27,7 +26,6 @@ impl Demo {
         options: &str,
         programs: &[&str],
     ) -> Option<Demo> {
-        let drivers = || Drivers::new(Environment::default());
         if !drivers().types().contains(&kind) {
             skip(name, "no such workstation type yet");
             return None;

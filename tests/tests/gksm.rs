@@ -5,64 +5,25 @@ use gks::Gks;
 use gks_metafile::{Format, ReadOptions, open_source};
 use gks_pipeline::generated::numbers::workstation_type as own;
 use gks_pipeline::record::{Attribute, Record, SourceError};
+use gks_tests::drawing::{self, Way, drivers};
 use gks_tests::pictures::{PICTURES, Picture, draw_gks};
-use gks_workstations::catalogue::Drivers;
-use gks_workstations::environment::Environment;
 use std::fs;
 use std::io::Cursor;
-use std::path::{Path, PathBuf};
-
-fn drivers() -> Box<Drivers> {
-    Box::new(Drivers::new(Environment::default()))
-}
-
-fn folder() -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("gksm");
-    fs::create_dir_all(&folder).expect("the target folder can be written");
-    folder
-}
-
-/// Plays a metafile on the surface of the other pictures, and gives what was wrong.
-fn play(file: &Path, image: &Path) -> Vec<String> {
-    let bytes = fs::File::open(file).expect("the metafile has been written");
-    let mut source = open_source(bytes, &ReadOptions::default()).expect("a metafile").source;
-    let mut faults = Vec::new();
-    let played = draw_gks(drivers(), &format!("{}?{SURFACE}", image.display()), own::PNG, |gks, _| {
-        loop {
-            match source.next() {
-                Ok(None) => return Ok(()),
-                Ok(Some(record)) => {
-                    if let Err(error) = gks.interpret(&record) {
-                        faults.push(error.to_string());
-                    }
-                }
-                Err(error) => faults.push(error.to_string()),
-            }
-        }
-    });
-    played.expect("the picture can be written");
-    faults
-}
+use std::path::PathBuf;
 
 const SURFACE: &str = "size=400x400";
 
+fn folder() -> PathBuf {
+    drawing::folder(env!("CARGO_TARGET_TMPDIR"), "gksm")
+}
+
 fn round_trip(picture: &Picture, coding: &str) -> Result<(), String> {
-    let file = |extension: &str| folder().join(format!("{}-{coding}.{extension}", picture.name));
-    let (direct, metafile, played) = (file("direct.png"), file("gksm"), file("played.png"));
-    picture.draw(drivers(), &format!("{}?{SURFACE}", direct.display()), own::PNG)?;
-    picture.draw(drivers(), &format!("{}?{SURFACE}&coding={coding}", metafile.display()), own::GKSM)?;
-    let faults = play(&metafile, &played);
-    if !faults.is_empty() {
-        return Err(format!("{}: {faults:?}", picture.name));
-    }
-    let same = fs::read(&direct).ok() == fs::read(&played).ok();
-    if !same {
-        return Err(format!("{}: the pictures differ", picture.name));
-    }
-    for file in [direct, metafile, played] {
-        let _ = fs::remove_file(file);
-    }
-    Ok(())
+    let options = &format!("&coding={coding}");
+    let way = Way { kind: own::GKSM, options, surface: SURFACE, folder: &folder() };
+    drawing::round_trip(picture, way, |direct, played| {
+        let same = fs::read(direct).ok() == fs::read(played).ok();
+        if same { Ok(()) } else { Err("the pictures differ".to_owned()) }
+    })
 }
 
 #[test]
@@ -83,7 +44,7 @@ fn every_picture_survives_formatted_coding() {
 fn sample(coding: &str) -> Vec<u8> {
     let file = folder().join(format!("sample-{coding}-{:?}.gksm", std::thread::current().id()));
     let connection = format!("{}?coding={coding}", file.display());
-    draw_gks(drivers(), &connection, own::GKSM, |gks, ws| {
+    draw_gks(Box::new(drivers()), &connection, own::GKSM, |gks, ws| {
         gks.message(ws, "größer\nund kleiner")?;
         gks.set_colour_representation(ws, 2, (0.25, 0.5, 0.75))?;
         gks.set_colour_alpha(ws, 2, 0.5)?;
@@ -125,7 +86,7 @@ fn read(bytes: &[u8]) -> (Vec<String>, usize) {
 /// Draws whatever can be read, on a small surface.
 fn draw(bytes: &[u8]) {
     let Ok(mut opened) = open_source(Cursor::new(bytes.to_vec()), &ReadOptions::default()) else { return };
-    let mut gks = Gks::open(drivers());
+    let mut gks = Gks::open(Box::new(drivers()));
     gks.open_workstation(1, "?size=32x32", own::FRAMEBUFFER).expect("pixels in memory");
     gks.activate_workstation(1).expect("it is open");
     for _ in 0..1000 {

@@ -4,12 +4,11 @@
 //! and one font, and refuses text and ellipses that are turned. What is left is compared.
 
 use gks_pipeline::generated::numbers::workstation_type as own;
+use gks_tests::drawing::drivers;
 use gks_tests::folder::Folder;
 use gks_tests::likeness::{self, Likeness, SIZE};
 use gks_tests::pictures::Picture;
 use gks_tests::reader;
-use gks_workstations::catalogue::Drivers;
-use gks_workstations::environment::Environment;
 use image::imageops::{self, FilterType};
 use image::{Rgb, RgbImage};
 
@@ -41,8 +40,7 @@ fn impress_shows_our_binary_encoding() {
     for name in names() {
         for (end, kind, options) in [("png", own::PNG, ""), ("cgm", own::CGM, "&colours=128")] {
             let connection = format!("{}?size={SIZE}x{SIZE}{options}", folder.file(&format!("{name}.{end}")));
-            let drivers = Box::new(Drivers::new(Environment::default()));
-            Picture::named(name).draw(drivers, &connection, kind).expect("a picture");
+            Picture::named(name).draw(Box::new(drivers()), &connection, kind).expect("a picture");
         }
     }
     let profile = format!("-env:UserInstallation=file://{}", folder.file("profile"));

@@ -1,13 +1,9 @@
 //! Metafiles that NCAR's own GKS has written, drawn by us and by NCAR's `ctrans`.
 
-use gks_metafile::{ReadOptions, open_source};
-use gks_pipeline::generated::numbers::workstation_type as own;
+use gks_tests::drawing::play;
 use gks_tests::likeness::{SIZE, likeness, open};
-use gks_tests::pictures::draw_gks;
 use gks_tests::program;
 use gks_tests::reader;
-use gks_workstations::catalogue::Drivers;
-use gks_workstations::environment::Environment;
 use image::RgbImage;
 use std::fs;
 use std::path::Path;
@@ -52,21 +48,6 @@ fn write_metafile(name: &str, folder: &Path) {
     assert!(ran.status.success(), "{name}: {ran:?}");
 }
 
-/// Plays a metafile into a picture for each frame.
-fn play(metafile: &Path, pages: &Path) {
-    let opened = open_source(fs::File::open(metafile).expect("the metafile"), &ReadOptions::default());
-    let mut source = opened.expect("a metafile that we read").source;
-    let connection = format!("{}?size={SIZE}x{SIZE}", pages.display());
-    let drivers = Box::new(Drivers::new(Environment::default()));
-    let played = draw_gks(drivers, &connection, own::PNG, |gks, _| {
-        while let Some(record) = source.next().expect("a metafile without faults") {
-            gks.interpret(&record)?;
-        }
-        Ok(())
-    });
-    played.expect("it is played");
-}
-
 #[test]
 fn metafiles_of_ncar_look_as_ncar_draws_them() {
     if !reader::present("NCAR's metafiles", &["gfortran", "ctrans"]) {
@@ -83,7 +64,8 @@ fn metafiles_of_ncar_look_as_ncar_draws_them() {
         let size = format!("{SIZE}x{SIZE}");
         let raster = reader::run(60, "ctrans", &["-d", "sun", "-resolution", &size, &metafile]);
         let theirs = frames(&raster.expect("ctrans draws it").stdout);
-        play(&folder.join("gmeta"), &folder.join("page.%d.png"));
+        play(&folder.join("gmeta"), &folder.join("page.%d.png"), &format!("size={size}"))
+            .expect("it is played");
         assert_eq!(theirs.len(), count, "{name}");
         assert_eq!(
             fs::read_dir(&folder).expect("a folder").flatten().filter(is_page).count(),

@@ -9,19 +9,14 @@ use gks_pipeline::generated::numbers::{GDPS, WORKSTATION_TYPES, workstation_type
 use gks_pipeline::look::{
     AspectSourceFlags, Cap, Horizontal, InteriorStyle, Join, Precision, TextPath, Vertical,
 };
+use gks_tests::drawing::drivers;
 use gks_tests::folder::Folder;
 use gks_tests::random::Random;
 use gks_tests::reader;
-use gks_workstations::catalogue::Drivers;
-use gks_workstations::environment::Environment;
 use std::fs;
 use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
-
-fn drivers() -> Drivers {
-    Drivers::new(Environment::default())
-}
 
 fn folder(name: &str) -> Folder {
     Folder::new(env!("CARGO_TARGET_TMPDIR"), name)

@@ -1,6 +1,6 @@
 //! The command `gks`.
 
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use gks_cli::bench::measurement::Effort;
 use gks_cli::commands::{Failure, bench, compile, coverage, demo, doctor, info, play, run, workstations};
 use gks_cli::viewer;
@@ -43,14 +43,15 @@ enum Command {
         /// The pages to draw: 3, 2-5, 2- or -5.
         #[arg(long, default_value = "1-")]
         pages: play::Pages,
-        /// Whose coding of UPDATE and VISIBILITY a metafile of GKS has, if its header does not tell.
-        #[arg(long, value_enum)]
-        items: Option<Items>,
+        #[command(flatten)]
+        reading: Reading,
     },
     /// Show what is in a metafile.
     Info {
         /// The metafile; `-` is the standard input.
         file: String,
+        #[command(flatten)]
+        reading: Reading,
         /// As JSON.
         #[arg(long)]
         json: bool,
@@ -122,6 +123,20 @@ enum Command {
     Viewer,
 }
 
+/// How a metafile is read where it does not say.
+#[derive(Args)]
+struct Reading {
+    /// Whose coding of UPDATE and VISIBILITY a metafile of GKS has, if its header does not tell.
+    #[arg(long, value_enum)]
+    items: Option<Items>,
+}
+
+impl Reading {
+    fn options(&self) -> ReadOptions {
+        ReadOptions { items: self.items.map(Items::convention) }
+    }
+}
+
 /// Authors of metafiles who code items differently.
 #[derive(Copy, Clone, ValueEnum)]
 enum Items {
@@ -143,11 +158,10 @@ impl Items {
 fn main() -> ExitCode {
     let result: Result<ExitCode, Failure> = match Arguments::parse().command {
         Command::Demo { on, out } => demo::run(&on, &out),
-        Command::Play { file, on, output, pages, items } => {
-            let options = ReadOptions { items: items.map(Items::convention) };
-            play::run(&play::Play { file, on, out: output, pages, options })
+        Command::Play { file, on, output, pages, reading } => {
+            play::run(&play::Play { file, on, out: output, pages, options: reading.options() })
         }
-        Command::Info { file, json } => info::run(&file, json),
+        Command::Info { file, reading, json } => info::run(&file, &reading.options(), json),
         Command::Workstations { json } => workstations::run(json),
         Command::Spec { json } => coverage::run(json),
         Command::Cc { arguments } => compile::run(compile::Language::C, &arguments),

@@ -52,6 +52,20 @@ pub trait Source: Send {
     fn skipped(&self) -> Skipped {
         Skipped::default()
     }
+
+    /// What has been met so far, in the terms of the format; nothing where records are the items of the format.
+    fn contents(&self) -> Contents {
+        Contents::default()
+    }
+}
+
+/// What a metafile holds in the terms of its own format, where that is not the format of GKS.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Contents {
+    /// How many elements there are, by the names that their standard gives them.
+    pub elements: BTreeMap<&'static str, u64>,
+    /// The fonts that the metafile lists, by name.
+    pub fonts: Vec<String>,
 }
 
 /// What a source has skipped: what it does not know, what makes no sense, and what says nothing that can be drawn here.

@@ -8,6 +8,7 @@ pub mod arguments;
 pub mod calls;
 #[rustfmt::skip]
 mod generated;
+pub mod memory;
 pub mod metafiles;
 
 /// A target: its name, which is also that of the directory of its corpus, and what it does with bytes.
@@ -22,3 +23,12 @@ pub const TARGETS: &[Target] = &[
     ("cgm_character", metafiles::cgm_character),
     ("ncgm", metafiles::ncgm),
 ];
+
+/// Does with an input what a target does.
+///
+/// # Panics
+/// Where more memory is held for it than [`memory::MOST`].
+pub fn attempt(run: fn(&[u8]), input: &[u8]) {
+    let held = memory::peak(|| run(input));
+    assert!(held <= memory::MOST, "it held {} MiB", held >> 20);
+}

@@ -7,10 +7,9 @@ use gks_pipeline::device::{Device, DeviceError, Drawn, Fill, Form, Mark, Page, P
 use gks_pipeline::generated::numbers::workstation_type as own;
 use gks_pipeline::look::{Cap, Join};
 use gks_pipeline::workstation::Backend;
+use gks_tests::drawing::{self, drivers};
 use gks_tests::pictures::Picture;
 use gks_tests::reader;
-use gks_workstations::catalogue::Drivers;
-use gks_workstations::environment::Environment;
 use gks_workstations::options::Options;
 use gks_workstations::raster::{self, SharedPixels, TrueColour};
 use resvg::{tiny_skia, usvg};
@@ -28,9 +27,7 @@ const FINE: usize = 2;
 /// The folder for pictures that do not agree.
 pub(crate) fn folder() -> PathBuf {
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent().unwrap_or(Path::new("target"));
-    let folder = target.join("agreement");
-    fs::create_dir_all(&folder).expect("the target folder can be written");
-    folder
+    drawing::folder(target, "agreement")
 }
 
 /// A device that writes files, and the program that reads them.
@@ -126,10 +123,6 @@ impl Plan {
         picture.draw(Box::new(drivers()), &connection, self.kind)?;
         (self.read)(&file)
     }
-}
-
-fn drivers() -> Drivers {
-    Drivers::new(Environment::default())
 }
 
 static FONTS: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {

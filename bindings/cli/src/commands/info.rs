@@ -2,7 +2,7 @@
 
 use super::Failure;
 use super::play::{Faults, open};
-use gks_metafile::{ReadOptions, open_source};
+use gks_metafile::{Opened, ReadOptions, open_source};
 use gks_pipeline::generated::numbers::FONTS;
 use gks_pipeline::item::Shape;
 use gks_pipeline::record::item::{Put, encode, kind};
@@ -22,6 +22,10 @@ struct Info {
     points: u64,
     /// Items by name. Elements of other formats are counted as the items that they are in GKS.
     items: BTreeMap<&'static str, u64>,
+    /// Elements by name, in formats other than that of GKS.
+    elements: BTreeMap<&'static str, u64>,
+    /// The fonts that the metafile lists.
+    font_list: Vec<String>,
     /// The numbers of the fonts that text is drawn in.
     fonts: BTreeMap<i32, &'static str>,
     segments: u64,
@@ -87,25 +91,13 @@ impl Put for Names<'_> {
 }
 
 /// Lists what is in a metafile.
-pub fn run(file: &str, json: bool) -> Result<ExitCode, Failure> {
+pub fn run(file: &str, options: &ReadOptions, json: bool) -> Result<ExitCode, Failure> {
     let said = |error: &dyn std::fmt::Display| format!("{file}: {error}");
     let (bytes, mut progress) = open(file)?;
-    let mut opened = open_source(bytes, &ReadOptions::default()).map_err(|error| said(&error))?;
-    let mut info = Info { format: opened.format.to_string(), font: 1, ..Info::default() };
+    let mut opened = open_source(bytes, options).map_err(|error| said(&error))?;
     let mut faults = Faults::default();
-    loop {
-        progress.show();
-        match opened.source.next() {
-            Ok(Some(record)) => info.add(&record),
-            Ok(None) => break,
-            Err(error @ SourceError::Io(_)) => return Err(said(&error).into()),
-            Err(error) => faults.add(error.to_string()),
-        }
-    }
+    let info = read(&mut opened, &mut faults, || progress.show()).map_err(|error| said(&error))?;
     progress.end();
-    info.page();
-    info.skipped = opened.source.skipped().iter().map(|(name, count)| (name.to_owned(), count)).collect();
-    info.complete = faults.is_empty();
     if json {
         println!("{}", serde_json::to_string_pretty(&info)?);
     } else {
@@ -113,6 +105,26 @@ pub fn run(file: &str, json: bool) -> Result<ExitCode, Failure> {
     }
     faults.report(file);
     Ok(if info.complete { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Reads a metafile to its end.
+fn read(opened: &mut Opened, faults: &mut Faults, mut step: impl FnMut()) -> Result<Info, SourceError> {
+    let mut info = Info { format: opened.format.to_string(), font: 1, ..Info::default() };
+    loop {
+        step();
+        match opened.source.next() {
+            Ok(Some(record)) => info.add(&record),
+            Ok(None) => break,
+            Err(error @ SourceError::Io(_)) => return Err(error),
+            Err(error) => faults.add(error.to_string()),
+        }
+    }
+    info.page();
+    let contents = opened.source.contents();
+    (info.elements, info.font_list) = (contents.elements, contents.fonts);
+    info.skipped = opened.source.skipped().iter().map(|(name, count)| (name.to_owned(), count)).collect();
+    info.complete = faults.is_empty();
+    Ok(info)
 }
 
 fn print(info: &Info) {
@@ -125,13 +137,44 @@ fn print(info: &Info) {
     for (number, name) in &info.fonts {
         println!("font        {number} {name}");
     }
+    for (index, name) in (1..).zip(&info.font_list) {
+        println!("font list   {index} {name}");
+    }
     for kind in &info.user_items {
         println!("user items  of type {kind}");
     }
-    for (name, count) in &info.items {
+    // In its own terms, if it has some.
+    for (name, count) in if info.elements.is_empty() { &info.items } else { &info.elements } {
         println!("{count:>10}  {name}");
     }
     for (name, count) in &info.skipped {
         println!("{count:>10}  skipped: {name}");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn info(text: &'static str) -> Info {
+        let mut opened = open_source(text.as_bytes(), &ReadOptions::default()).unwrap();
+        read(&mut opened, &mut Faults::default(), || {}).unwrap()
+    }
+
+    #[test]
+    fn a_cgm_is_listed_in_its_own_terms() {
+        let info = info(
+            "BEGMF 'a'; FONTLIST 'Times-Bold' 'Nowhere'; BEGPIC 'p'; BEGPICBODY; LINE (0,0) (1,1); TEXTFONTINDEX 1; \
+             TEXT (0,0) final 'x'; LINE (0,0) (1,1); SYMBOLSIZE both 1 1; ENDPIC; BEGPIC 'q'; BEGPICBODY; \
+             CIRCLE (0,0) 1; ENDPIC; ENDMF;",
+        );
+        assert_eq!((info.pages, info.primitives), (2, 4));
+        assert_eq!(info.font_list, ["Times-Bold", "Nowhere"]);
+        assert_eq!(info.fonts.keys().collect::<Vec<_>>(), [&-26]);
+        let count = |name: &str| info.elements.get(name).copied().unwrap_or(0);
+        assert_eq!(["POLYLINE", "TEXT", "BEGIN PICTURE", "SYMBOL SIZE"].map(count), [2, 1, 2, 1]);
+        assert_eq!(info.skipped.keys().collect::<Vec<_>>(), ["SYMBOL SIZE"]);
+        let json = serde_json::to_value(&info).unwrap();
+        assert_eq!((&json["elements"]["CIRCLE"], &json["font_list"][1]), (&1.into(), &"Nowhere".into()));
     }
 }

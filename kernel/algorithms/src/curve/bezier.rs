@@ -8,6 +8,9 @@ use glam::DVec2;
 /// The most chords a curve is given, however small the tolerance.
 const MOST_CHORDS: f64 = 16_384.0;
 
+/// The most chords of a chain of curves, besides one for each.
+const MOST_OF_A_CHAIN: f64 = 262_144.0;
+
 /// Appends the points of a quadratic Bezier curve after its first, no chord farther from it than the tolerance.
 ///
 /// The last point is the end as given. A curve with a control point that is not usable is taken as the straight line to
@@ -27,8 +30,7 @@ pub fn quadratic(curve: [DVec2; 3], tolerance: f64, points: &mut Vec<DVec2>) {
 /// Appends the points of a cubic Bezier curve after its first; in all else as [`quadratic`].
 pub fn cubic(curve: [DVec2; 4], tolerance: f64, points: &mut Vec<DVec2>) {
     let [a, b, c, d] = curve;
-    let bend = (a - b - b + c).length().max((b - c - c + d).length());
-    let chords = chords(6.0 * bend / 8.0, tolerance, &curve);
+    let chords = chords(cubic_bulge(&curve), tolerance, &curve);
     for i in 1..chords {
         let t = f64::from(i) / f64::from(chords);
         let s = 1.0 - t;
@@ -39,15 +41,25 @@ pub fn cubic(curve: [DVec2; 4], tolerance: f64, points: &mut Vec<DVec2>) {
 
 /// Appends the points of a chain of cubic Bezier pieces, the first included.
 ///
-/// Control points too few to make a piece at the end are left out.
+/// Control points too few to make a piece at the end are left out. A chain that would need more chords than 262144 and
+/// one for each piece gets a greater tolerance.
 pub fn chain(control: &[DVec2], tolerance: f64, points: &mut Vec<DVec2>) {
-    let Some((&first, rest)) = control.split_first() else { return };
+    let Some(&first) = control.first() else { return };
     points.push(first);
-    let mut from = first;
-    for piece in rest.chunks_exact(3) {
-        cubic([from, piece[0], piece[1], piece[2]], tolerance, points);
-        from = piece[2];
-    }
+    let pieces = || {
+        let starts = control.iter().step_by(3);
+        starts.zip(control[1..].chunks_exact(3)).map(|(from, piece)| [*from, piece[0], piece[1], piece[2]])
+    };
+    let usable = |piece: &[DVec2; 4]| piece.iter().copied().all(is_usable);
+    let roots: f64 = pieces().filter(usable).map(|piece| cubic_bulge(&piece).sqrt()).sum();
+    let tolerance = tolerance.max((roots / MOST_OF_A_CHAIN).powi(2));
+    pieces().for_each(|piece| cubic(piece, tolerance, points));
+}
+
+/// How far a single chord would stray from a cubic curve at most.
+fn cubic_bulge([a, b, c, d]: &[DVec2; 4]) -> f64 {
+    let bend = (a - b - b + c).length().max((b - c - c + d).length());
+    6.0 * bend / 8.0
 }
 
 /// Wang's bound: n chords stray by no more than d (d - 1) / 8 of the greatest second difference, divided by n².

@@ -1,4 +1,4 @@
 //! Any sequence of calls of the Fortran binding.
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|input: &[u8]| gks_fuzz::calls::run(input));
+libfuzzer_sys::fuzz_target!(|input: &[u8]| gks_fuzz::attempt(gks_fuzz::calls::run, input));

@@ -63,8 +63,14 @@ pub enum Inks {
     Direct(Vec<[u8; 3]>),
 }
 
-/// The most cells that a few octets may stand for: an array of 4000 by 4000, which takes less than 64 MiB.
-pub const MOST_CELLS: usize = 16_000_000;
+/// The most cells that a few octets may stand for: an array of 2048 by 2048. With their images as colour indices, twice
+/// as many numbers are held.
+pub const MOST_CELLS: usize = 1 << 22;
+
+/// The most cells that so many octets may stand for in runs.
+pub(super) fn most_cells(octets: usize) -> usize {
+    MOST_CELLS.max(octets.saturating_mul(64))
+}
 
 /// Appends a value several times to a list for which storage of more than `most` values is not set aside unless there
 /// are more.

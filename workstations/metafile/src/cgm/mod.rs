@@ -91,8 +91,8 @@ fn is_text(head: &[u8]) -> bool {
 
 /// The records of a metafile.
 ///
-/// Memory is bounded by the largest element, cells in runs by an array of 4000 by 4000, and what the metafile defines to
-/// be used again. Elements that are unknown or make no sense are skipped.
+/// Memory is bounded by the largest element, cells in runs by an array of 2048 by 2048 or 64 for each octet, and what the
+/// metafile defines to be used again. Elements that are unknown or make no sense are skipped.
 pub fn open(bytes: impl Read + Send + 'static, encoding: Encoding) -> Box<dyn Source> {
     match encoding {
         Encoding::Binary => Box::new(Interpreter::new(BinaryDecoder::new(bytes))),

@@ -246,10 +246,14 @@ fn skipped(bytes: &'static [u8], encoding: Encoding) -> (Vec<(String, u64)>, usi
 #[test]
 fn what_is_skipped_is_told() {
     let text =
-        b"BEGMF 'a'; BEGPIC 'b'; BEGPICBODY; BOGUS 1; bogus 2; LINE (0,0) (1,1); COPYSEG 7; MITRELIMIT 3;";
+        b"BEGMF 'a'; BEGPIC 'b'; BEGPICBODY; BOGUS 1; bogus 2; LINE (0,0) (1,1); COPYSEG 7; MITRELIMIT 3; TEXTSCORETYPE 1 1;";
     let (names, records) = skipped(text, Encoding::Text);
-    let wanted =
-        [("COPY SEGMENT with senseless parameters", 1), ("MITRE LIMIT", 1), ("unknown element bogus", 2)];
+    let wanted = [
+        ("COPY SEGMENT with senseless parameters", 1),
+        ("MITRE LIMIT", 1),
+        ("TEXT SCORE TYPE", 1),
+        ("unknown element bogus", 2),
+    ];
     assert_eq!(names, wanted.map(|(name, count)| (name.to_owned(), count)));
     assert!(records > 0, "the line is drawn");
     // Class 4, identifier 99, without parameters.
@@ -258,6 +262,40 @@ fn what_is_skipped_is_told() {
     // POLYLINE with points in chain code.
     let (names, _) = skipped(b"0 \x1bXa\x1b\\0\"\x1bXb\x1b\\0#1\"A @@\x50AA0!", Encoding::Character);
     assert!(names.iter().any(|(name, _)| name == "points in chain code"), "{names:?}");
+}
+
+#[test]
+fn version_3_says_how_our_own_linetypes_are_dashed() {
+    let written = |version: u8, encoding: Encoding| {
+        let bytes = Arc::new(Mutex::new(Vec::new()));
+        let sink = Box::new(Shared(Arc::clone(&bytes)));
+        let mut recorder = create(sink, encoding, None, Settings { version, ..Settings::default() });
+        let mut look = Look::default();
+        look.line.linetype = -4;
+        let mut paths = PathBuf::<Ndc>::new();
+        paths.add([DVec2::ZERO, DVec2::X]);
+        let shape = Shape::Polyline(paths.as_paths());
+        recorder.draw(&Item { shape, look: &look, clip: Rect::UNIT, pick: 0 }).expect("the sink takes all");
+        recorder.close().expect("the sink takes all");
+        bytes.lock().expect("nobody panicked").clone()
+    };
+    let linetype = |bytes: Vec<u8>, encoding: Encoding| {
+        let (all, states) = read(&mut *open(io::Cursor::new(bytes), encoding));
+        (all.last().cloned().unwrap_or_default(), states[0].look.line.linetype)
+    };
+    for encoding in [Encoding::Binary, Encoding::Text] {
+        let line = "lines 0.000 0.000, 1.000 0.000".to_owned();
+        assert_eq!(linetype(written(3, encoding), encoding), (line, -4), "{encoding:?}");
+    }
+    let text = |version| String::from_utf8(written(version, Encoding::Text)).expect("clear text");
+    assert!(!text(1).contains("LINEEDGETYPEDEF"), "{}", text(1));
+    let text = text(3);
+    assert!(text.contains("LINEEDGETYPEDEF -4 42 12 6 2 6 2 6 2 6;"), "{text}");
+    // What a reader draws that knows nothing of our linetypes.
+    let text = text.replace("TYPEDEF -4 ", "TYPEDEF -40 ").replace("LINETYPE -4;", "LINETYPE -40;");
+    let (words, linetype) = linetype(text.into_bytes(), Encoding::Text);
+    assert!(words.starts_with("lines 0.000 0.000, 0.012 0.000, 0.018 0.000, 0.020 0.000, "), "{words}");
+    assert_eq!(linetype, 1);
 }
 
 #[test]

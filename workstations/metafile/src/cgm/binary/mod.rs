@@ -5,3 +5,4 @@ pub mod encoder;
 pub mod octets;
 pub mod parameters;
 pub mod precision;
+mod tile;

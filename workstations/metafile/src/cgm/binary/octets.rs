@@ -114,9 +114,9 @@ impl<'a> Bits<'a> {
         Some(number)
     }
 
-    /// Goes on at the next multiple of 16 bits.
-    pub fn align(&mut self) {
-        self.at = self.at.next_multiple_of(16);
+    /// Goes on at the next multiple of some bits.
+    pub fn align(&mut self, bits: usize) {
+        self.at = self.at.next_multiple_of(bits);
     }
 }
 
@@ -150,7 +150,7 @@ mod tests {
     fn bits_are_read_from_the_highest() {
         let mut bits = Bits::new(&[0b1010_0110, 0, 0xff]);
         assert_eq!((bits.next(1), bits.next(2), bits.next(4)), (Some(1), Some(1), Some(3)));
-        bits.align();
+        bits.align(16);
         assert_eq!((bits.next(8), bits.next(1)), (Some(255), None));
     }
 }

@@ -3,7 +3,7 @@
 use super::octets::{Bits, Octets};
 use super::precision::{Precisions, RealFormat};
 use crate::cgm::coding::{Modes, SizeMode};
-use crate::cgm::element::{Cells, Element, Ink, Inks, MOST_CELLS, Value, repeat};
+use crate::cgm::element::{Cells, Element, Ink, Inks, Value, most_cells, repeat};
 use crate::cgm::parameter::Parameter;
 use crate::generated::elements::{Kind, Row};
 use glam::DVec2;
@@ -15,11 +15,13 @@ pub struct Coding {
     pub precisions: Precisions,
     /// The modes.
     pub modes: Modes,
+    /// The columns and rows of the tiles of the tile array that is open.
+    pub(super) tile_size: Option<(usize, usize)>,
 }
 
 impl Default for Coding {
     fn default() -> Self {
-        Coding { precisions: Precisions::default(), modes: Modes::new(255.0) }
+        Coding { precisions: Precisions::default(), modes: Modes::new(255.0), tile_size: None }
     }
 }
 
@@ -28,9 +30,16 @@ impl Coding {
     pub fn observe(&mut self, element: &Element) {
         self.precisions.observe(element);
         self.modes.observe(element);
-        if element.kind == Kind::ColourPrecision {
+        match element.kind {
             // The greatest component follows the precision unless it is said otherwise.
-            self.modes.extent.1 = [f64::from(u32::MAX >> (32 - self.precisions.colour)); 4];
+            Kind::ColourPrecision => {
+                self.modes.extent.1 = [f64::from(u32::MAX >> (32 - self.precisions.colour)); 4];
+            }
+            Kind::BeginTileArray => {
+                let count = |place: usize| usize::try_from(element.integer(place)?).ok();
+                self.tile_size = count(5).zip(count(6));
+            }
+            _ => {}
         }
     }
 
@@ -40,7 +49,12 @@ impl Coding {
         let mut octets = Octets::new(octets);
         // Whether all parameters are there is seen by their number.
         let _ = self.list(row, row.parameters, &mut octets, &mut values);
-        Element { kind: row.kind, values }
+        let mut element = Element { kind: row.kind, values };
+        if row.parameters.last() == Some(&Parameter::Bits) {
+            let cells = self.tile(&element, octets.take_all());
+            element.values.extend(cells.map(Value::Cells));
+        }
+        element
     }
 
     fn list(
@@ -77,6 +91,8 @@ impl Coding {
                     values.push(Value::Integer(self.integer(octets)?));
                     values.push(Value::Integer(self.integer(octets)?));
                 }
+                // What is left, to which the element gives its sense.
+                Parameter::Bits => {}
                 single => values.push(self.single(*single, octets)?),
             }
         }
@@ -84,7 +100,7 @@ impl Coding {
     }
 
     fn single(&self, parameter: Parameter, octets: &mut Octets<'_>) -> Option<Value> {
-        let Coding { precisions, modes } = self;
+        let Coding { precisions, modes, .. } = self;
         let size = |mode: SizeMode, octets: &mut Octets<'_>| match mode {
             SizeMode::Absolute => self.coordinate(octets).map(Value::Real),
             _ => octets.real(precisions.real).map(Value::Real),
@@ -118,10 +134,9 @@ impl Coding {
             Parameter::StyleSize => size(modes.style_size, octets)?,
             Parameter::Cells => Value::Cells(self.cells(octets, true)?),
             Parameter::Pattern => Value::Cells(self.cells(octets, false)?),
-            Parameter::ElementList | Parameter::Bits | Parameter::Raw => {
-                Value::Data(octets.take_all().to_vec())
-            }
-            Parameter::CountedPoints
+            Parameter::ElementList | Parameter::Raw => Value::Data(octets.take_all().to_vec()),
+            Parameter::Bits
+            | Parameter::CountedPoints
             | Parameter::Spline
             | Parameter::RationalSpline
             | Parameter::Repeat(_) => return None,
@@ -177,12 +192,7 @@ impl Coding {
         let packed = !runs || octets.signed(16)? != 0;
         let (columns, rows) = (usize::try_from(columns).ok()?, usize::try_from(rows).ok()?);
         columns.checked_mul(rows).filter(|&count| count > 0)?;
-        let default = if self.modes.direct { self.precisions.colour } else { self.precisions.colour_index };
-        let precision = match local {
-            0 => default,
-            1 | 2 | 4 | 8 | 16 | 24 | 32 => local as u32,
-            _ => return None,
-        };
+        let precision = self.local_precision(local)?;
         let octets = octets.take_all();
         let inks = if packed {
             self.packed(columns, rows, precision, octets)
@@ -192,28 +202,37 @@ impl Coding {
         Some(Cells { columns, rows, inks })
     }
 
+    /// The bits of a colour index or component of a cell: as many as are said, or as elsewhere.
+    pub(super) fn local_precision(&self, local: i32) -> Option<u32> {
+        match local {
+            0 if self.modes.direct => Some(self.precisions.colour),
+            0 => Some(self.precisions.colour_index),
+            1 | 2 | 4 | 8 | 16 | 24 | 32 => Some(local as u32),
+            _ => None,
+        }
+    }
+
     /// Every cell, rows on word boundaries. Every cell takes a bit at least, so that the octets bound them.
     fn packed(&self, columns: usize, rows: usize, precision: u32, octets: &[u8]) -> Option<Inks> {
         let mut bits = Bits::new(octets);
         let components = if self.modes.direct { self.modes.model.components() } else { 1 };
-        if columns.checked_mul(rows)?.checked_mul(components * precision as usize)? > octets.len() * 8 {
+        let most = columns.checked_mul(rows)?;
+        if most.checked_mul(components * precision as usize)? > octets.len() * 8 {
             return None;
         }
         let mut inks = self.inks();
         for _ in 0..rows {
             for _ in 0..columns {
-                self.cell(&mut bits, precision, 1, &mut inks)?;
+                self.cell(&mut bits, precision, 1, most, &mut inks)?;
             }
-            bits.align();
+            bits.align(16);
         }
         Some(inks)
     }
 
     /// Runs of a count and a colour, each row on a word boundary of its own.
     fn runs(&self, columns: usize, rows: usize, precision: u32, octets: &[u8]) -> Option<Inks> {
-        if columns.checked_mul(rows)? > MOST_CELLS {
-            return None;
-        }
+        let most = columns.checked_mul(rows).filter(|most| *most <= most_cells(octets.len()))?;
         let mut bits = Bits::new(octets);
         let mut inks = self.inks();
         for row in 0..rows {
@@ -221,22 +240,30 @@ impl Coding {
             while inks.len() < end {
                 let count = bits.next(self.precisions.integer)? as usize;
                 let count = count.min(end - inks.len());
-                self.cell(&mut bits, precision, count, &mut inks)?;
+                self.cell(&mut bits, precision, count, most, &mut inks)?;
             }
-            bits.align();
+            bits.align(16);
         }
         Some(inks)
     }
 
-    fn inks(&self) -> Inks {
+    pub(super) fn inks(&self) -> Inks {
         if self.modes.direct { Inks::Direct(Vec::new()) } else { Inks::Indices(Vec::new()) }
     }
 
-    fn cell(&self, bits: &mut Bits<'_>, precision: u32, count: usize, inks: &mut Inks) -> Option<()> {
+    /// Appends a colour several times to those of an array that has `most` of them in all.
+    pub(super) fn cell(
+        &self,
+        bits: &mut Bits<'_>,
+        precision: u32,
+        count: usize,
+        most: usize,
+        inks: &mut Inks,
+    ) -> Option<()> {
         match inks {
             Inks::Indices(indices) => {
                 let index = bits.next(precision)?.min(i32::MAX as u32) as i32;
-                repeat(indices, index, count, MOST_CELLS);
+                repeat(indices, index, count, most);
             }
             Inks::Direct(colours) => {
                 let mut components = [0.0; 4];
@@ -247,7 +274,7 @@ impl Coding {
                     *component = f64::from(bits.next(precision)?) * scale;
                 }
                 let [red, green, blue, _] = self.modes.colour(components).to_bytes();
-                repeat(colours, [red, green, blue], count, MOST_CELLS);
+                repeat(colours, [red, green, blue], count, most);
             }
         }
         Some(())

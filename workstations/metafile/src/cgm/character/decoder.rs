@@ -4,7 +4,7 @@ use super::RealCoding;
 use super::operand::{Bits, OPERAND, Operands};
 use crate::cgm::coding::{Modes, SizeMode};
 use crate::cgm::decoder::{Decoder, senseless, unknown};
-use crate::cgm::element::{Cells, Element, Ink, Inks, MOST_CELLS, Value, repeat};
+use crate::cgm::element::{Cells, Element, Ink, Inks, Value, most_cells, repeat};
 use crate::cgm::parameter::Parameter;
 use crate::generated::elements::{ELEMENTS, Kind};
 use gks_pipeline::record::{Skipped, SourceError};
@@ -358,7 +358,8 @@ impl Coding {
     fn cells(&self, operands: &mut Operands<'_>) -> Option<Cells> {
         let mut size = || operands.integer().and_then(|n| usize::try_from(n).ok());
         let (columns, rows, local) = (size()?, size()?, size()?);
-        let count = columns.checked_mul(rows).filter(|count| (1..=MOST_CELLS).contains(count))?;
+        let most = most_cells(operands.len());
+        let count = columns.checked_mul(rows).filter(|count| (1..=most).contains(count))?;
         let default = if self.modes.direct { self.colour } else { self.colour_index };
         let precision = if local == 0 { default } else { u32::try_from(local).ok().filter(|p| *p <= 32)? };
         let inks = self.inks(count, precision, self.modes.direct, operands)?;

@@ -49,6 +49,11 @@ impl<'a> Operands<'a> {
         Some((if negative { -magnitude } else { magnitude }, follows))
     }
 
+    /// How many characters are left.
+    pub(super) fn len(&self) -> usize {
+        self.rest.len()
+    }
+
     pub(super) fn integer(&mut self) -> Option<i64> {
         self.number(false).map(|(number, _)| number)
     }

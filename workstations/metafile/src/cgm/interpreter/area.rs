@@ -44,7 +44,7 @@ impl<D: Decoder> Interpreter<D> {
         ring.add(points.iter().copied());
         let mut edges = PathBuf::new();
         edges.add(points.iter().chain(points.first()).copied());
-        self.fill_polygon(&ring, edges);
+        self.fill_polygon(ring, edges);
     }
 
     /// Polygons whose every edge says whether it is visible and whether it closes its polygon.
@@ -59,10 +59,10 @@ impl<D: Decoder> Interpreter<D> {
             }
         }
         close(&mut ring, &mut rings, &mut edges);
-        self.fill_polygon(&rings, edges);
+        self.fill_polygon(rings, edges);
     }
 
-    fn fill_polygon(&mut self, rings: &PathBuf<Wc>, edges: PathBuf<Wc>) {
+    fn fill_polygon(&mut self, rings: PathBuf<Wc>, edges: PathBuf<Wc>) {
         if let Some(figure) = &mut self.figure {
             for (i, ring) in rings.as_paths().iter().enumerate() {
                 let none = PathBuf::new();
@@ -70,44 +70,55 @@ impl<D: Decoder> Interpreter<D> {
             }
             return;
         }
-        self.fill_rings(rings);
+        self.fill(Outline::Lines(rings));
         if self.context.edges {
             self.stroke_edge(Outline::Lines(edges));
         }
     }
 
-    /// Fills rings without edges.
-    pub(super) fn fill_rings(&mut self, rings: &PathBuf<Wc>) {
-        let mapping = self.mapping();
-        if let Some(look) = self.fill_look() {
-            let mut mapped = PathBuf::new();
-            mapped.add_mapped(rings.as_paths(), &mapping.map);
-            self.draw(Drawing::Area(mapped), look);
+    /// Fills what an outline encloses, without edges.
+    pub(super) fn fill(&mut self, outline: Outline) {
+        let Some(look) = self.fill_look() else { return };
+        let hatch = (look.fill.interior == InteriorStyle::Hatch).then(|| self.context.fill().hatch);
+        if hatch.is_some() && !self.context.transparent {
+            let mut between = look.clone();
+            between.fill.interior = InteriorStyle::Solid;
+            between.fill.colour = self.index(self.context.auxiliary);
+            self.draw_area(outline.clone(), between);
+        }
+        match hatch.and_then(|hatch| self.context.hatches.get(&hatch)).cloned() {
+            Some(hatch) => self.hatch(outline, &hatch, look),
+            None => self.draw_area(outline, look),
         }
     }
 
-    /// Fills Bezier curves that enclose an area, without edges.
-    pub(super) fn fill_curves(&mut self, points: &[DVec2]) {
+    fn draw_area(&mut self, outline: Outline, look: Look) {
         let mapping = self.mapping();
-        if let Some(look) = self.fill_look() {
-            let points = points.iter().map(|&p| mapping.point(p)).collect();
-            self.draw(Drawing::Bezier(points, Role::Area), look);
-        }
+        let drawing = match outline {
+            Outline::Lines(rings) => {
+                let mut mapped = PathBuf::new();
+                mapped.add_mapped(rings.as_paths(), &mapping.map);
+                Drawing::Area(mapped)
+            }
+            Outline::Ellipse(ellipse) => Drawing::Ellipse(ellipse.mapped(&mapping.map), Role::Area),
+            Outline::Bezier(points) => {
+                Drawing::Bezier(points.into_iter().map(|p| mapping.point(p)).collect(), Role::Area)
+            }
+        };
+        self.draw(drawing, look);
     }
 
     /// Fills an ellipse or a closed part of one, and draws its edge.
     pub(super) fn fill_ellipse(&mut self, ellipse: &Ellipse<Wc>) {
-        let mapping = self.mapping();
         if self.figure.is_some() {
-            let ring = Outline::Ellipse(*ellipse).flattened(self.tolerance());
+            let tolerance = self.tolerance();
             if let Some(figure) = &mut self.figure {
+                let ring = figure.flattened(Outline::Ellipse(*ellipse), tolerance);
                 figure.add_region(&ring.points, &ring);
             }
             return;
         }
-        if let Some(look) = self.fill_look() {
-            self.draw(Drawing::Ellipse(ellipse.mapped(&mapping.map), Role::Area), look);
-        }
+        self.fill(Outline::Ellipse(*ellipse));
         if self.context.edges {
             self.stroke_edge(Outline::Ellipse(*ellipse));
         }

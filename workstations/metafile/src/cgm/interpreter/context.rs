@@ -1,6 +1,7 @@
 //! The attributes and controls in force: what every picture begins with, and what elements change.
 
-use crate::cgm::coding::Modes;
+use super::hatch::Hatch;
+use crate::cgm::coding::{Modes, SizeMode};
 use crate::cgm::element::{Cells, Element, Ink};
 use crate::generated::elements::Kind;
 use gks_pipeline::colour::Colour;
@@ -8,6 +9,7 @@ use gks_pipeline::generated::numbers::escape;
 use gks_pipeline::look::{Cap, Join};
 use glam::DVec2;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// How lines or edges look.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +24,10 @@ pub(super) struct Line {
     pub(super) cap: Cap,
     /// The corners.
     pub(super) join: Join,
+    /// Whether the dashes begin anew at every corner.
+    pub(super) restarts: bool,
+    /// How far into its dashes a line begins, as a part of a cycle.
+    pub(super) offset: f64,
 }
 
 /// How markers look.
@@ -76,10 +82,12 @@ pub(super) struct Context {
     pub(super) background: Option<Colour>,
     /// The colour table, as far as it is set.
     pub(super) colours: BTreeMap<u32, Colour>,
-    /// The pattern table.
-    pub(super) patterns: BTreeMap<i32, Cells>,
-    /// Line types and edge types that the metafile defines: dashes and gaps, as the specification mode has them.
-    pub(super) dashes: BTreeMap<i32, Vec<f64>>,
+    /// The pattern table, which contexts that are saved share.
+    pub(super) patterns: BTreeMap<i32, Arc<Cells>>,
+    /// Line types and edge types that the metafile defines: dashes and gaps, and how their lengths are given.
+    pub(super) dashes: BTreeMap<i32, (SizeMode, Vec<f64>)>,
+    /// Hatch styles that the metafile defines.
+    pub(super) hatches: BTreeMap<i32, Hatch>,
     /// Individual attributes of lines.
     pub(super) line: Line,
     /// Individual attributes of markers.
@@ -126,11 +134,25 @@ pub(super) struct Context {
     pub(super) clip: Option<(DVec2, DVec2)>,
     /// Whether there is clipping.
     pub(super) clipping: bool,
+    /// Whether what is copied is clipped as the place it is copied to says, and by nothing else.
+    pub(super) clipped_as_copied: bool,
+    /// Whether nothing is drawn between dashes and lines of a hatch.
+    pub(super) transparent: bool,
+    /// The colour that is there otherwise.
+    pub(super) auxiliary: Ink,
 }
 
 impl Default for Context {
     fn default() -> Self {
-        let line = Line { kind: 1, width: None, ink: Ink::Index(1), cap: Cap::Butt, join: Join::Miter };
+        let line = Line {
+            kind: 1,
+            width: None,
+            ink: Ink::Index(1),
+            cap: Cap::Butt,
+            join: Join::Miter,
+            restarts: false,
+            offset: 0.0,
+        };
         Context {
             modes: Modes::new(255.0),
             metric: None,
@@ -139,6 +161,7 @@ impl Default for Context {
             colours: BTreeMap::new(),
             patterns: BTreeMap::new(),
             dashes: BTreeMap::new(),
+            hatches: BTreeMap::new(),
             line: line.clone(),
             marker: Marker { kind: 3, size: None, ink: Ink::Index(1) },
             text: Text { font: 1, precision: 0, expansion: 1.0, spacing: 0.0, ink: Ink::Index(1) },
@@ -162,9 +185,15 @@ impl Default for Context {
             pattern_size: None,
             clip: None,
             clipping: true,
+            clipped_as_copied: false,
+            transparent: true,
+            auxiliary: Ink::Index(0),
         }
     }
 }
+
+/// The continuation of a line type that begins anew at corners.
+const RESTART: i32 = 3;
 
 fn cap(number: Option<i32>) -> Option<Cap> {
     match number? {
@@ -206,6 +235,8 @@ impl Context {
             Kind::LineColour => set(&mut self.line.ink, e.ink(0)),
             Kind::LineCap => set(&mut self.line.cap, cap(e.integer(0))),
             Kind::LineJoin => set(&mut self.line.join, join(e.integer(0))),
+            Kind::LineTypeContinuation => set(&mut self.line.restarts, e.integer(0).map(|n| n == RESTART)),
+            Kind::LineTypeInitialOffset => set(&mut self.line.offset, e.real(0)),
             Kind::MarkerBundleIndex => set(&mut self.indices[1], e.integer(0)),
             Kind::MarkerType => set(&mut self.marker.kind, e.integer(0)),
             Kind::MarkerSize => set(&mut self.marker.size, size(e).map(Some)),
@@ -217,12 +248,12 @@ impl Context {
             Kind::EdgeVisibility => set(&mut self.edges, e.integer(0).map(|on| on != 0)),
             Kind::EdgeCap => set(&mut self.edge.cap, cap(e.integer(0))),
             Kind::EdgeJoin => set(&mut self.edge.join, join(e.integer(0))),
+            Kind::EdgeTypeContinuation => set(&mut self.edge.restarts, e.integer(0).map(|n| n == RESTART)),
+            Kind::EdgeTypeInitialOffset => set(&mut self.edge.offset, e.real(0)),
             Kind::LineRepresentation | Kind::EdgeRepresentation => {
                 let bundle = || {
                     let (kind, width, ink) = (e.integer(1)?, e.real(2)?, e.ink(3)?);
-                    let line =
-                        Line { kind, width: Some(width), ink, cap: self.line.cap, join: self.line.join };
-                    Some((e.integer(0)?, line))
+                    Some((e.integer(0)?, Line { kind, width: Some(width), ink, ..self.line.clone() }))
                 };
                 let table = if e.kind == Kind::LineRepresentation {
                     &mut self.line_bundles
@@ -245,7 +276,7 @@ impl Context {
                     let sum: f64 = lengths.iter().map(|length| length.abs()).sum();
                     if sum > 0.0 && cycle > 0.0 {
                         let scaled = lengths.iter().map(|length| length.abs() / sum * cycle).collect();
-                        self.dashes.insert(kind, scaled);
+                        self.dashes.insert(kind, (self.modes.line_width, scaled));
                     }
                 }
             }
@@ -288,7 +319,7 @@ impl Context {
                 };
                 self.text_bundles.extend(bundle());
             }
-            Kind::CharacterSetIndex | Kind::AlternateCharacterSetIndex | Kind::TextScoreType => {}
+            Kind::CharacterSetIndex | Kind::AlternateCharacterSetIndex => {}
             _ => return false,
         }
         true
@@ -311,7 +342,7 @@ impl Context {
             }
             Kind::PatternTable => {
                 if let (Some(index), Some(cells)) = (e.integer(0), e.cells(1)) {
-                    self.patterns.insert(index, cells.clone());
+                    self.patterns.insert(index, Arc::new(cells.clone()));
                 }
             }
             Kind::FillRepresentation => {
@@ -321,6 +352,11 @@ impl Context {
                     Some((e.integer(0)?, Fill { style, ink, hatch, pattern }))
                 };
                 self.fill_bundles.extend(bundle());
+            }
+            Kind::HatchStyleDefinition => {
+                if let (Some(index), Some(hatch)) = (e.integer(0), Hatch::new(e, self.modes.style_size)) {
+                    self.hatches.insert(index, hatch);
+                }
             }
             _ => return false,
         }
@@ -359,6 +395,9 @@ impl Context {
                 }
             }
             Kind::ClipIndicator => set(&mut self.clipping, e.integer(0).map(|on| on != 0)),
+            Kind::ClipInheritance => set(&mut self.clipped_as_copied, e.integer(0).map(|way| way == 0)),
+            Kind::Transparency => set(&mut self.transparent, e.integer(0).map(|on| on != 0)),
+            Kind::AuxiliaryColour => set(&mut self.auxiliary, e.ink(0)),
             Kind::AspectSourceFlags => {
                 for place in (0..e.values.len()).step_by(2) {
                     let aspect = e.integer(place).and_then(|aspect| usize::try_from(aspect).ok());

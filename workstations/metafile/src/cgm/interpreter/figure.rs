@@ -6,13 +6,20 @@ use crate::cgm::decoder::Decoder;
 use gks_geometry::{PathBuf, Wc};
 use glam::DVec2;
 
+/// The points that stand for curves in one figure, before they become fewer.
+const MOST_CHORDS: usize = 1 << 18;
+
 /// A figure under construction, in virtual device coordinates.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Figure {
     regions: PathBuf<Wc>,
     /// The boundary that is being drawn.
     boundary: Vec<DVec2>,
+    /// Whether an edge leads from where the boundary is to where it goes on.
+    connected: bool,
     edges: PathBuf<Wc>,
+    /// How many points stand for curves.
+    chords: usize,
     /// The Bezier curves that are all there is so far.
     curves: Option<Vec<DVec2>>,
 }
@@ -20,6 +27,7 @@ pub(super) struct Figure {
 impl Figure {
     fn add_lines(&mut self, lines: &PathBuf<Wc>) {
         for path in lines.as_paths().iter() {
+            self.connect(path.first());
             self.boundary.extend_from_slice(path);
             self.edges.add(path.iter().copied());
         }
@@ -32,7 +40,16 @@ impl Figure {
             Outline::Bezier(points) if is_first => Some(points.clone()),
             _ => None,
         };
-        self.add_lines(&outline.flattened(tolerance));
+        let lines = self.flattened(outline, tolerance);
+        self.add_lines(&lines);
+    }
+
+    /// An outline in chords; in few of them if there are very many already.
+    pub(super) fn flattened(&mut self, outline: Outline, tolerance: f64) -> PathBuf<Wc> {
+        let is_curve = !matches!(outline, Outline::Lines(_));
+        let lines = outline.flattened(if self.chords < MOST_CHORDS { tolerance } else { f64::INFINITY });
+        self.chords += if is_curve { lines.points.len() } else { 0 };
+        lines
     }
 
     /// Adds the boundary of an area as a region of its own.
@@ -44,13 +61,24 @@ impl Figure {
         }
     }
 
+    /// Makes the way to where the boundary goes on next an edge; without this it only bounds the region.
+    pub(super) fn connecting_edge(&mut self) {
+        self.connected = true;
+    }
+
+    fn connect(&mut self, next: Option<&DVec2>) {
+        if std::mem::take(&mut self.connected)
+            && let (Some(last), Some(next)) = (self.boundary.last(), next)
+            && last != next
+        {
+            self.edges.add([*last, *next]);
+        }
+    }
+
     /// Closes the boundary that is being drawn.
     pub(super) fn end_region(&mut self) {
-        if let (Some(first), Some(last)) = (self.boundary.first(), self.boundary.last())
-            && first != last
-        {
-            self.edges.add([*last, *first]);
-        }
+        let first = self.boundary.first().copied();
+        self.connect(first.as_ref());
         self.regions.add(self.boundary.drain(..));
     }
 }
@@ -61,8 +89,8 @@ impl<D: Decoder> Interpreter<D> {
         let Some(mut figure) = self.figure.take() else { return };
         figure.end_region();
         match figure.curves {
-            Some(curves) => self.fill_curves(&curves),
-            None => self.fill_rings(&figure.regions),
+            Some(curves) => self.fill(Outline::Bezier(curves)),
+            None => self.fill(Outline::Lines(figure.regions)),
         }
         if self.context.edges {
             self.stroke_edge(Outline::Lines(figure.edges));

@@ -22,6 +22,7 @@ const MOST_POINTS: usize = 1 << 20;
 const MOST_DASHES: usize = 100_000;
 
 /// What lines are drawn along, in virtual device coordinates.
+#[derive(Clone)]
 pub(super) enum Outline {
     /// Polylines.
     Lines(PathBuf<Wc>),
@@ -32,7 +33,7 @@ pub(super) enum Outline {
 }
 
 /// Our linetype for a line type: those of the standard and of the register of ISO, and our own.
-fn linetype(kind: i32) -> i32 {
+pub(super) fn linetype(kind: i32) -> i32 {
     match kind {
         1..=4 => kind,
         // Dash-dot-dot, phantom.
@@ -173,17 +174,27 @@ impl<D: Decoder> Interpreter<D> {
         let mut look = self.queue.look().clone();
         look.line.linetype = linetype(line.kind);
         look.line.width = mapping.line_width(line.width, mode, self.context.metric);
-        look.line.colour = self.index(line.ink);
         (look.cap, look.join) = (line.cap, line.join);
-        if let Some(dashes) = self.context.dashes.get(&line.kind) {
-            let metric = self.context.metric;
-            let pattern: Vec<f64> =
-                dashes.iter().map(|&length| mapping.style(length, mode, metric)).collect();
-            look.line.linetype = 1;
-            let lines = outline.flattened(self.tolerance());
-            self.dashed(lines.as_paths(), &pattern, look);
-            return;
+        let pattern = self.dashes(line);
+        if !self.context.transparent && (pattern.is_some() || look.line.linetype != 1) {
+            let mut between = look.clone();
+            between.line.linetype = 1;
+            between.line.colour = self.index(self.context.auxiliary);
+            self.draw_lines(outline.clone(), between);
         }
+        look.line.colour = self.index(line.ink);
+        match pattern {
+            Some(pattern) => {
+                look.line.linetype = 1;
+                let lines = outline.flattened(self.tolerance());
+                self.dashed(lines.as_paths(), &pattern, line, look);
+            }
+            None => self.draw_lines(outline, look),
+        }
+    }
+
+    fn draw_lines(&mut self, outline: Outline, look: Look) {
+        let mapping = self.mapping();
         let drawing = match outline {
             Outline::Lines(lines) => {
                 let mut mapped = PathBuf::new();
@@ -198,16 +209,40 @@ impl<D: Decoder> Interpreter<D> {
         self.draw(drawing, look);
     }
 
-    /// Lines with dashes that the metafile defines.
-    fn dashed(&mut self, lines: Paths<'_, Wc>, pattern: &[f64], look: Look) {
+    /// Dashes and gaps in NDC, where a line is dashed in another way than our linetypes are.
+    fn dashes(&mut self, line: &Line) -> Option<Vec<f64>> {
+        let own = numbers::LINETYPES.iter().find(|own| own.number == linetype(line.kind));
+        let own = own.map_or(&[][..], |own| own.dashes);
+        let (mode, lengths) = match self.context.dashes.get(&line.kind) {
+            Some((mode, lengths)) => (*mode, lengths.as_slice()),
+            None => (SizeMode::Scaled, own),
+        };
+        let same = mode == SizeMode::Scaled
+            && lengths.len() == own.len()
+            && lengths.iter().zip(own).all(|(length, own)| (length - own).abs() < 1e-3);
+        if same && (own.is_empty() || line.offset == 0.0 && !line.restarts) {
+            return None;
+        }
+        let lengths = lengths.to_vec();
+        let (mapping, metric) = (self.mapping(), self.context.metric);
+        Some(lengths.into_iter().map(|length| mapping.style(length, mode, metric)).collect())
+    }
+
+    /// Lines with dashes of any kind.
+    fn dashed(&mut self, lines: Paths<'_, Wc>, pattern: &[f64], line: &Line, look: Look) {
         let mapping = self.mapping();
         let window = mapping.window.grown(0.1);
         let area = (window.min.0, window.max.0);
         let mut mapped = PathBuf::<Ndc>::new();
         mapped.add_mapped(lines, &mapping.map);
+        let phase = line.offset * pattern.iter().sum::<f64>();
         let mut pieces = PathBuf::<Ndc>::new();
+        let mut cut = |path: &[DVec2]| {
+            let limit = MOST_DASHES.saturating_sub(pieces.ends.len());
+            dash(area, path, pattern, phase, limit, &mut pieces.points, &mut pieces.ends);
+        };
         for path in mapped.as_paths().iter() {
-            dash(area, path, pattern, 0.0, MOST_DASHES, &mut pieces.points, &mut pieces.ends);
+            if line.restarts { path.windows(2).for_each(&mut cut) } else { cut(path) }
         }
         self.draw(Drawing::Lines(pieces), look);
     }

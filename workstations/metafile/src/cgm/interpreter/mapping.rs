@@ -51,11 +51,19 @@ impl Mapping {
         self.map.vector(Vector::from_vec(v))
     }
 
-    /// The image of a rectangle given by two corners.
+    /// The rectangle around the image of a rectangle given by two corners.
     pub(super) fn rect(&self, first: DVec2, second: DVec2) -> Rect<Ndc> {
-        let corners = [self.point(first), self.point(second)];
-        let (least, most) = (corners[0].min(corners[1]), corners[0].max(corners[1]));
+        let others = [DVec2::new(first.x, second.y), DVec2::new(second.x, first.y)];
+        let [a, b, c, d] = [first, second, others[0], others[1]].map(|corner| self.point(corner));
+        let (least, most) = (a.min(b).min(c).min(d), a.max(b).max(c).max(d));
         Rect { min: Point::from_vec(least), max: Point::from_vec(most) }
+    }
+
+    /// The mapping of what is transformed first.
+    pub(super) fn after(&self, transformation: DAffine2) -> Mapping {
+        let map = Map::from_affine(transformation).then(&self.map);
+        let scale = self.scale * transformation.matrix2.determinant().abs().sqrt();
+        Mapping { map, scale, ..*self }
     }
 
     /// A size in NDC, given as a mode has it, with `nominal` for 1 and for none.

@@ -9,6 +9,7 @@ mod arc;
 mod area;
 mod context;
 mod figure;
+mod hatch;
 mod line;
 mod mapping;
 mod palette;
@@ -28,7 +29,7 @@ use gks_geometry::{Ndc, PathBuf, Rect, Wc};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::generated::numbers::escape;
 use gks_pipeline::look::Look;
-use gks_pipeline::record::{Record, Skipped, Source, SourceError};
+use gks_pipeline::record::{Contents, Record, Skipped, Source, SourceError};
 use mapping::Mapping;
 use palette::Palette;
 use queue::{Drawing, Entry, Queue};
@@ -59,6 +60,8 @@ pub struct Interpreter<D> {
     drawn: bool,
     /// Our numbers of the fonts of the font list.
     fonts: Vec<i32>,
+    /// How many elements of each kind there were, and the font list.
+    contents: Contents,
     /// Whether the metafile is one of ours.
     own: bool,
     text: Option<PendingText>,
@@ -87,6 +90,7 @@ impl<D: Decoder> Interpreter<D> {
             zero_is_background: false,
             drawn: false,
             fonts: Vec::new(),
+            contents: Contents::default(),
             own: false,
             text: None,
             compound: Default::default(),
@@ -104,6 +108,10 @@ impl<D: Decoder> Interpreter<D> {
 
     /// Acts on an element.
     fn interpret(&mut self, element: &Element) {
+        if element.kind == Kind::SegmentTransformation {
+            self.transform_segment(element);
+            return;
+        }
         if self.segments.collects(element) {
             // A segment outside of pictures is drawn only when it is copied.
             if self.mapping.is_none() {
@@ -158,6 +166,11 @@ impl<D: Decoder> Interpreter<D> {
                     figure.end_region();
                 }
             }
+            Kind::ConnectingEdge => {
+                if let Some(figure) = &mut self.figure {
+                    figure.connecting_edge();
+                }
+            }
             Kind::BeginTileArray => self.tiles = TileArray::new(element),
             Kind::EndTileArray => self.tiles = None,
             Kind::SavePrimitiveContext => {
@@ -173,7 +186,11 @@ impl<D: Decoder> Interpreter<D> {
                     self.context = context.clone();
                 }
             }
-            Kind::BeginSegment | Kind::EndSegment => {}
+            Kind::BeginSegment => {
+                self.end_segment();
+                self.begin_segment();
+            }
+            Kind::EndSegment => self.end_segment(),
             Kind::CopySegment => self.copy_segment(element),
             _ => return false,
         }
@@ -184,7 +201,8 @@ impl<D: Decoder> Interpreter<D> {
         match element.kind {
             Kind::FontList => {
                 let names = (0..element.values.len()).filter_map(|place| element.bytes(place));
-                self.fonts = names.map(fonts::number).collect();
+                self.fonts = names.clone().map(fonts::number).collect();
+                self.contents.fonts = names.map(text::decoded).collect();
             }
             Kind::MetafileDescription => {
                 let text = element.bytes(0).unwrap_or_default();
@@ -280,18 +298,28 @@ impl<D: Decoder> Interpreter<D> {
 
     /// Draws a primitive with a look.
     fn draw(&mut self, drawing: Drawing, look: Look) {
+        // Nothing is to be seen where nothing is left.
+        let Some(clip) = self.clip().filter(Rect::is_proper) else { return };
+        self.drawn = true;
+        self.queue.draw(drawing, look, clip);
+    }
+
+    /// What is drawn is clipped to, if anything is left of it.
+    fn clip(&mut self) -> Option<Rect<Ndc>> {
+        // A segment that is being defined is transformed, but not what it is clipped to.
         let mapping = self.mapping();
-        let clip = match self.context.clip {
+        let own = match self.context.clip {
             Some((first, second)) if self.context.clipping => {
-                let rect = mapping.rect(first, second);
-                // Nothing is to be seen where nothing is left.
-                let Some(part) = rect.intersection(&mapping.window).filter(Rect::is_proper) else { return };
-                part
+                let place = self.segments.place().unwrap_or(mapping);
+                place.rect(first, second).intersection(&mapping.window)?
             }
             _ => mapping.window,
         };
-        self.drawn = true;
-        self.queue.draw(drawing, look, clip);
+        match self.segments.clip() {
+            Some(outer) if self.context.clipped_as_copied => Some(outer),
+            Some(outer) => own.intersection(&outer),
+            None => Some(own),
+        }
     }
 
     /// The next element: of a segment that is being copied, else of the metafile.
@@ -299,7 +327,11 @@ impl<D: Decoder> Interpreter<D> {
         if let Some(element) = self.copied_element() {
             return Ok(Some(element));
         }
-        self.decoder.next()
+        let element = self.decoder.next()?;
+        if let Some(element) = &element {
+            *self.contents.elements.entry(element.kind.row().name).or_default() += 1;
+        }
+        Ok(element)
     }
 }
 
@@ -331,6 +363,10 @@ impl<D: Decoder> Source for Interpreter<D> {
         let mut skipped = self.decoder.skipped().clone();
         skipped.extend(&self.skipped);
         skipped
+    }
+
+    fn contents(&self) -> Contents {
+        self.contents.clone()
     }
 }
 

@@ -4,14 +4,14 @@ use super::Interpreter;
 use super::context::Context;
 use super::mapping::Mapping;
 use crate::cgm::decoder::Decoder;
-use crate::cgm::element::Element;
+use crate::cgm::element::{Element, MOST_CELLS, Value};
 use crate::generated::elements::Kind;
-use gks_geometry::Map;
+use gks_geometry::{Ndc, Rect};
 use glam::{DAffine2, DMat2};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The most elements that segments keep, and that copying gives, in one metafile.
+/// The most elements that segments keep, and that copying gives, in one metafile; 256 cells count like one when copied.
 const MOST_ELEMENTS: usize = 1 << 20;
 
 /// The most copies inside of copies.
@@ -23,7 +23,12 @@ pub(super) struct Segments {
     kept: BTreeMap<i32, Arc<[Element]>>,
     open: Option<(i32, Vec<Element>)>,
     copies: Vec<Copying>,
+    transformations: BTreeMap<i32, DAffine2>,
+    /// The mapping outside of the open segment, if that has a transformation.
+    outside: Option<Mapping>,
     count: usize,
+    /// The cells in the elements that are kept.
+    cells: usize,
     copied: usize,
 }
 
@@ -35,6 +40,8 @@ struct Copying {
     /// What holds again afterwards.
     context: Context,
     mapping: Mapping,
+    /// What it is clipped to where it is copied to.
+    clip: Rect<Ndc>,
 }
 
 impl Segments {
@@ -50,10 +57,11 @@ impl Segments {
                     self.kept.insert(name, elements.into());
                 }
             }
-            (Kind::EndPicture | Kind::BeginPicture, Some(_)) => self.open = None,
+            (Kind::EndPicture | Kind::BeginPicture, Some(_)) => (self.open, self.outside) = (None, None),
             (_, Some((_, elements))) => {
-                if self.count < MOST_ELEMENTS {
-                    self.count += 1;
+                let cells = self.cells + cells(element);
+                if self.count < MOST_ELEMENTS && cells <= MOST_CELLS {
+                    (self.count, self.cells) = (self.count + 1, cells);
                     elements.push(element.clone());
                 }
                 return true;
@@ -62,30 +70,85 @@ impl Segments {
         }
         false
     }
+
+    /// The mapping outside of the open segment, if it is another one, while nothing is copied.
+    pub(super) fn place(&self) -> Option<Mapping> {
+        self.outside.filter(|_| self.copies.is_empty())
+    }
+
+    /// What a copy is clipped to, if something is being copied.
+    pub(super) fn clip(&self) -> Option<Rect<Ndc>> {
+        self.copies.last().map(|copying| copying.clip)
+    }
+}
+
+/// The cells in an element.
+fn cells(element: &Element) -> usize {
+    let count = |value: &Value| if let Value::Cells(cells) = value { cells.inks.len() } else { 0 };
+    element.values.iter().map(count).sum()
+}
+
+/// The transformation whose parameters begin at a place.
+fn transformation(e: &Element, place: usize) -> Option<DAffine2> {
+    let rows = (e.vector(place)?, e.vector(place + 2)?);
+    let linear = DMat2::from_cols_array(&[rows.0.x, rows.1.x, rows.0.y, rows.1.y]);
+    Some(DAffine2::from_mat2_translation(linear, e.vector(place + 4)?))
 }
 
 impl<D: Decoder> Interpreter<D> {
-    pub(super) fn copy_segment(&mut self, e: &Element) {
-        let mapping = self.mapping();
-        let Some(elements) = e.integer(0).and_then(|name| self.segments.kept.get(&name)).cloned() else {
+    /// Gives a segment a transformation, with which it is drawn if it is open, and copied if the copy asks for it.
+    pub(super) fn transform_segment(&mut self, e: &Element) {
+        let (Some(name), Some(transformation)) = (e.integer(0), transformation(e, 1)) else {
             self.senseless(e);
             return;
         };
+        self.segments.transformations.insert(name, transformation);
+        self.begin_segment();
+    }
+
+    /// Draws what follows with the transformation of the open segment.
+    pub(super) fn begin_segment(&mut self) {
+        let Segments { open, transformations, outside, copies, .. } = &mut self.segments;
+        let Some((name, _)) = open else { return };
+        if let (Some(transformation), Some(mapping), true) =
+            (transformations.get(name), self.mapping, copies.is_empty())
+        {
+            self.mapping = Some(outside.get_or_insert(mapping).after(*transformation));
+        }
+    }
+
+    /// Draws what follows without the transformation of the segment that was open.
+    pub(super) fn end_segment(&mut self) {
+        if let Some(mapping) = self.segments.outside.take() {
+            self.mapping = Some(mapping);
+        }
+    }
+
+    pub(super) fn copy_segment(&mut self, e: &Element) {
+        let mapping = self.mapping();
+        let name = e.integer(0);
+        let Some(elements) = name.and_then(|name| self.segments.kept.get(&name)).cloned() else {
+            self.senseless(e);
+            return;
+        };
+        // A copy of which nothing is to be seen is none.
+        let Some(clip) = self.clip() else { return };
         if self.segments.copies.len() >= DEEPEST {
             return;
         }
-        let matrix = || {
-            let rows = (e.vector(1)?, e.vector(3)?);
-            let linear = DMat2::from_cols_array(&[rows.0.x, rows.1.x, rows.0.y, rows.1.y]);
-            Some(DAffine2::from_mat2_translation(linear, e.vector(5)?))
-        };
-        if let Some(affine) = matrix() {
-            let map = Map::from_affine(affine).then(&mapping.map);
-            let scale = mapping.scale * affine.matrix2.determinant().abs().sqrt();
-            self.mapping = Some(Mapping { map, scale, ..mapping });
+        let mut copied = mapping;
+        if let Some(transformation) = transformation(e, 1) {
+            copied = copied.after(transformation);
         }
+        if e.integer(7) == Some(1)
+            && let Some(transformation) = name.and_then(|name| self.segments.transformations.get(&name))
+        {
+            copied = copied.after(*transformation);
+        }
+        self.mapping = Some(copied);
         let context = self.context.clone();
-        self.segments.copies.push(Copying { elements, next: 0, context, mapping });
+        self.context.clip = None;
+        self.segments.copies.push(Copying { elements, next: 0, context, mapping, clip });
     }
 
     /// The next element of the segment that is being copied.
@@ -96,7 +159,8 @@ impl<D: Decoder> Interpreter<D> {
                 && self.segments.copied < MOST_ELEMENTS
             {
                 copying.next += 1;
-                self.segments.copied += 1;
+                // Cells take time to draw.
+                self.segments.copied += 1 + cells(element) / 256;
                 return Some(element.clone());
             }
             if let Some(done) = self.segments.copies.pop() {

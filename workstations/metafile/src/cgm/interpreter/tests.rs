@@ -191,7 +191,115 @@ fn cells_keep_their_indices() {
 
 #[test]
 fn line_types_of_the_metafile_are_drawn_dash_by_dash() {
-    let all = picture("LINEEDGETYPEDEF -20 .1 3 1;", "LINETYPE -20; LINEWIDTHMODE abs; LINE 0 0 1 0;");
-    assert!(all[0].0.starts_with("lines "), "{}", all[0].0);
+    let descriptor = "LINEWIDTHMODE abs; LINEEDGETYPEDEF -20 .4 3 1; LINEWIDTHMODE scaled;";
+    let lines = "LINE 0 0 1 0; LINETYPEINITOFFSET .75; LINE 0 0 1 0;";
+    let all = picture(descriptor, &format!("LINETYPE -20; {lines}"));
+    let expected = [
+        "lines 3: 0.000 0.000, 0.300 0.000, 0.400 0.000, 0.700 0.000, 0.800 0.000, 1.000 0.000",
+        "lines 3: 0.100 0.000, 0.400 0.000, 0.500 0.000, 0.800 0.000, 0.900 0.000, 1.000 0.000",
+    ];
+    assert_eq!(words(&all), expected);
     assert_eq!(all[0].1.look.line.linetype, 1);
+}
+
+#[test]
+fn dashes_begin_anew_at_corners_where_it_is_said() {
+    let descriptor = "LINEWIDTHMODE abs; LINEEDGETYPEDEF -20 .8 1 1;";
+    let all = picture(descriptor, "LINETYPE -20; LINETYPECONT 3; LINE 0 0 .6 0 .6 .6;");
+    assert_eq!(words(&all), ["lines 2: 0.000 0.000, 0.400 0.000, 0.600 0.000, 0.600 0.400"]);
+    let all = picture(descriptor, "LINETYPE -20; LINETYPECONT 2; LINE 0 0 .6 0 .6 .6;");
+    assert_eq!(words(&all), ["lines 2: 0.000 0.000, 0.400 0.000, 0.600 0.200, 0.600 0.600"]);
+    // A linetype of the standard remains one unless it is drawn in another way than ours.
+    let all = picture("", "LINETYPE 2; LINE 0 0 1 0; LINETYPEINITOFFSET .5; LINE 0 0 1 0;");
+    assert_eq!((all[0].1.look.line.linetype, all[1].1.look.line.linetype), (2, 1));
+}
+
+#[test]
+fn a_line_type_defined_like_one_of_ours_is_ours() {
+    let all = picture("LINEEDGETYPEDEF -2 32 24 8;", "LINETYPE -2; LINE 0 0 1 0;");
+    assert_eq!(words(&all), ["lines 1: 0.000 0.000, 1.000 0.000"]);
+    assert_eq!(all[0].1.look.line.linetype, -2);
+}
+
+#[test]
+fn the_auxiliary_colour_is_between_dashes_and_lines_of_hatches() {
+    let style = "AUXCOLR 3; LINECOLR 2; FILLCOLR 2; INTSTYLE hatch; LINETYPE 2;";
+    let all = picture("", &format!("{style} TRANSPARENCY off; LINE 0 0 1 0; RECT 0 0 1 1;"));
+    let lines: Vec<_> = all[..2].iter().map(|(_, s)| (s.look.line.linetype, s.look.line.colour)).collect();
+    assert_eq!(lines, [(1, 3), (2, 2)]);
+    let areas: Vec<_> = all[2..].iter().map(|(_, s)| (s.look.fill.interior, s.look.fill.colour)).collect();
+    assert_eq!(areas, [(InteriorStyle::Solid, 3), (InteriorStyle::Hatch, 2)]);
+    let all = picture(
+        "",
+        &format!("{style} LINE 0 0 1 0; RECT 0 0 1 1; TRANSPARENCY off; LINETYPE 1; LINE 0 0 1 0;"),
+    );
+    assert_eq!(all.len(), 3);
+}
+
+#[test]
+fn hatch_styles_of_the_metafile_are_lines() {
+    let descriptor = "HATCHSTYLEDEF -20 parallel 1 0 0 1 .5 2 3 1 1 2;";
+    let all =
+        picture(descriptor, "INTSTYLE hatch; HATCHINDEX -20; FILLCOLR 2; FILLREFPT 0 .1; RECT 0 0 .8 1;");
+    let expected = [
+        "lines 2: 0.000 0.100, 0.800 0.100, 0.000 0.600, 0.800 0.600",
+        "lines 2: 0.000 0.475, 0.800 0.475, 0.000 0.975, 0.800 0.975",
+    ];
+    assert_eq!(words(&all), expected);
+    let looks: Vec<_> = all.iter().map(|(_, s)| (s.look.line.linetype, s.look.line.colour)).collect();
+    assert_eq!(looks, [(1, 2), (2, 2)]);
+    let crossed = "HATCHSTYLEDEF -20 crosshatch 1 0 0 1 .4 1 1 1;";
+    let all = picture(crossed, "INTSTYLE hatch; HATCHINDEX -20; FILLREFPT .1 .1; CIRCLE .5 .5 .5;");
+    assert!(all.len() == 2 && all.iter().all(|(words, _)| words.starts_with("lines 3:")), "{all:?}");
+}
+
+#[test]
+fn figures_have_edges_between_their_lines_only_where_they_are_connected() {
+    let edges = |body: &str| {
+        let all = picture("", &format!("INTSTYLE empty; EDGEVIS on; BEGFIGURE; {body} ENDFIGURE;"));
+        words(&all).iter().map(|words| words.split(':').next().unwrap_or("").to_owned()).collect::<Vec<_>>()
+    };
+    let (first, second) = ("LINE 0 0 1 0;", "LINE 1 1 0 1;");
+    assert_eq!(edges(&format!("{first} {second}")), ["lines 2"]);
+    assert_eq!(edges(&format!("{first} CONNEDGE; {second}")), ["lines 3"]);
+    assert_eq!(edges(&format!("{first} CONNEDGE; {second} CONNEDGE;")), ["lines 4"]);
+    assert_eq!(edges(&format!("{first} CONNEDGE; NEWREGION; {second}")), ["lines 3"]);
+}
+
+#[test]
+fn segments_have_transformations() {
+    let moved = "SEGTRAN 1 1 0 0 1 .25 0;";
+    let all = picture(
+        "",
+        &format!(
+            "CLIPRECT 0 0 .5 .5; BEGSEG 1; {moved} LINE 0 0 .5 0; ENDSEG; CLIP off; LINE 0 0 .5 0; \
+             COPYSEG 1 1 0 0 1 0 .5 no; COPYSEG 1 1 0 0 1 0 .5 yes; LINE 0 0 1 0;"
+        ),
+    );
+    let expected = [
+        "lines 1: 0.250 0.000, 0.750 0.000",
+        "lines 1: 0.000 0.000, 0.500 0.000",
+        "lines 1: 0.000 0.500, 0.500 0.500",
+        "lines 1: 0.250 0.500, 0.750 0.500",
+        "lines 1: 0.000 0.000, 1.000 0.000",
+    ];
+    assert_eq!(words(&all), expected);
+    assert_eq!((all[0].1.clip, all[1].1.clip), (Rect::new(0.0, 0.5, 0.0, 0.5), Rect::UNIT));
+    // Said before the segment begins, it holds as well.
+    let all = picture("", &format!("{moved} BEGSEG 1; LINE 0 0 .5 0; ENDSEG; LINE 0 0 .5 0;"));
+    assert_eq!(words(&all), expected[..2]);
+}
+
+#[test]
+fn copies_are_clipped_by_both_rectangles_or_by_the_one_outside() {
+    let segment = "BEGSEG 1; CLIPRECT 0 0 .5 1; LINE 0 0 1 1; ENDSEG; CLIPRECT .4 .4 1 1;";
+    let clips = |inheritance: &str| {
+        let all = picture("", &format!("{segment} {inheritance} COPYSEG 1 1 0 0 1 .25 0 no; LINE 0 0 1 1;"));
+        [all[1].1.clip, all[2].1.clip]
+    };
+    let outside = Rect::new(0.4, 1.0, 0.4, 1.0);
+    let both = Rect::new(0.4, 0.75, 0.4, 1.0);
+    assert_eq!(clips(""), [both, outside]);
+    assert_eq!(clips("CLIPINH inters;"), [both, outside]);
+    assert_eq!(clips("CLIPINH stlist;"), [outside, outside]);
 }

@@ -2,7 +2,7 @@
 
 use super::Interpreter;
 use crate::cgm::decoder::Decoder;
-use crate::cgm::element::{Cells, Element, Ink, Inks, MOST_CELLS, repeat};
+use crate::cgm::element::{Cells, Element, Inks, Value};
 use crate::generated::elements::Kind;
 use glam::DVec2;
 
@@ -50,17 +50,23 @@ impl TileArray {
 
 impl<D: Decoder> Interpreter<D> {
     pub(super) fn tile(&mut self, e: &Element) -> bool {
-        let bitonal = match e.kind {
-            Kind::BitonalTile => true,
-            Kind::Tile => false,
-            _ => return false,
-        };
+        if !matches!(e.kind, Kind::Tile | Kind::BitonalTile) {
+            return false;
+        }
         let Some(mut array) = self.tiles.clone() else { return false };
         let at = (array.next % array.tiles, array.next / array.tiles);
         array.next += 1;
-        match decoded(e, bitonal, array.cells, self.context.modes.direct) {
-            Some(cells) => self.place(&array, at, &cells),
-            None => self.senseless(e),
+        let cells =
+            e.values.last().and_then(|last| if let Value::Cells(cells) = last { Some(cells) } else { None });
+        match (cells, e.integer(0)) {
+            (Some(cells), _) if (cells.columns, cells.rows) == array.cells => self.place(&array, at, cells),
+            // Nothing but background, which is there already.
+            (None, Some(0)) if e.kind == Kind::Tile => {}
+            (None, Some(compression)) if !matches!(compression, 5 | 6) => {
+                let name = e.kind.row().name;
+                self.skipped.add(&format!("{name}, {}", compression_name(compression)));
+            }
+            _ => self.senseless(e),
         }
         self.tiles = Some(array);
         true
@@ -97,40 +103,108 @@ fn cut(cells: &Cells, columns: (usize, usize), rows: (usize, usize)) -> Cells {
     Cells { columns: columns.1 - columns.0, rows: rows.1 - rows.0, inks }
 }
 
-/// The cells of a tile; none if its compression is not known or there are too few of them.
-fn decoded(e: &Element, bitonal: bool, (columns, rows): (usize, usize), direct: bool) -> Option<Cells> {
-    columns.checked_mul(rows).filter(|count| (1..=MOST_CELLS).contains(count))?;
-    let compression = e.integer(0)?;
-    if !bitonal {
-        return None;
+/// A way of compression that is not read.
+fn compression_name(number: i32) -> String {
+    match number {
+        1 => "null foreground".to_owned(),
+        2 => "compressed by T.6".to_owned(),
+        3 => "compressed by T.4 in one dimension".to_owned(),
+        4 => "compressed by T.4 in two dimensions".to_owned(),
+        7 => "compressed by JPEG".to_owned(),
+        8 => "compressed by LZW".to_owned(),
+        9 => "compressed by PNG".to_owned(),
+        _ => format!("compression type {number}"),
     }
-    let (back, fore) = (e.ink(2)?, e.ink(3)?);
-    let bits = e.bytes(5).unwrap_or_default();
-    let row_octets = match e.integer(1)? {
-        padding @ 1.. => columns.div_ceil(8).next_multiple_of((padding as usize).div_ceil(8)),
-        _ => columns.div_ceil(8),
-    };
-    let set = |row: usize, column: usize| match compression {
-        0 => Some(false),
-        1 => Some(true),
-        5 => bits.get(row * row_octets + column / 8).map(|octet| octet >> (7 - column % 8) & 1 == 1),
-        _ => None,
-    };
-    let pick = |on: bool| if on { fore } else { back };
-    let mut inks = if direct { Inks::Direct(Vec::new()) } else { Inks::Indices(Vec::new()) };
-    for row in 0..rows {
-        for column in 0..columns {
-            match (&mut inks, pick(set(row, column)?)) {
-                (Inks::Indices(indices), Ink::Index(index)) => {
-                    repeat(indices, index.min(i32::MAX as u32) as i32, 1, MOST_CELLS);
-                }
-                (Inks::Direct(colours), Ink::Direct(colour)) => {
-                    let [red, green, blue, _] = colour.to_bytes();
-                    repeat(colours, [red, green, blue], 1, MOST_CELLS);
-                }
-                _ => return None,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cgm::binary::decoder::BinaryDecoder;
+    use crate::cgm::binary::encoder::BinaryEncoder;
+    use crate::cgm::element::Ink;
+    use crate::cgm::encoder::{Coordinates, Encoder};
+    use gks_pipeline::item::Shape;
+    use gks_pipeline::record::{Record, Source};
+
+    /// What a tile array of 3 columns and 2 rows with one tile draws, cell by cell, and what is skipped of it.
+    fn drawn(direct: bool, tile: Element) -> (Vec<Vec<i32>>, Vec<String>) {
+        let integers = |numbers: &[i32]| numbers.iter().copied().map(Value::Integer).collect::<Vec<_>>();
+        let mut array = vec![Value::Point(DVec2::ZERO)];
+        array.extend(integers(&[0, 0, 1, 1, 3, 2]));
+        array.extend([Value::Real(100.0), Value::Real(100.0)]);
+        array.extend(integers(&[0, 0, 3, 2]));
+        let elements = [
+            Element::new(Kind::BeginMetafile, [Value::Text(Vec::new())]),
+            Element::new(Kind::BeginPicture, [Value::Text(Vec::new())]),
+            Element::new(Kind::ColourSelectionMode, [Value::Integer(i32::from(direct))]),
+            Element::new(Kind::BeginPictureBody, []),
+            Element::new(Kind::BeginTileArray, array),
+            tile,
+            Element::new(Kind::EndTileArray, []),
+            Element::new(Kind::EndPicture, []),
+            Element::new(Kind::EndMetafile, []),
+        ];
+        let (mut encoder, mut octets) = (BinaryEncoder::new(Coordinates::Integer16, 8), Vec::new());
+        elements.iter().for_each(|element| encoder.encode(element, &mut octets));
+        let mut source = Interpreter::new(BinaryDecoder::new(std::io::Cursor::new(octets)));
+        let mut rows = Vec::new();
+        while let Some(record) = source.next().unwrap() {
+            if let Record::Primitive(Shape::CellArray(_, cells)) = record {
+                rows.extend((0..cells.rows).map(|row| cells.row(row).to_vec()));
             }
         }
+        let skipped = source.skipped().iter().map(|(name, _)| name.to_owned()).collect();
+        (rows, skipped)
     }
-    Some(Cells { columns, rows, inks })
+
+    /// A tile of indices with a way of compression, a row padding, a precision, and its bits.
+    fn colours(compression: i32, padding: i32, precision: i32, record: &[u8], bits: &[u8]) -> Element {
+        let numbers = [compression, padding, precision].map(Value::Integer);
+        let data = [Value::Data(record.to_vec()), Value::Data(bits.to_vec())];
+        Element::new(Kind::Tile, [&numbers[..], &data[..]].concat())
+    }
+
+    fn bitonal(compression: i32, padding: i32, record: &[u8], bits: &[u8]) -> Element {
+        let inks = [Value::Ink(Ink::Index(4)), Value::Ink(Ink::Index(5))];
+        let numbers = [compression, padding].map(Value::Integer);
+        let data = [Value::Data(record.to_vec()), Value::Data(bits.to_vec())];
+        Element::new(Kind::BitonalTile, [&numbers[..], &inks[..], &data[..]].concat())
+    }
+
+    /// A structured data record with one integer.
+    const EIGHT: [u8; 6] = [0, 6, 0, 1, 0, 8];
+
+    #[test]
+    fn tiles_of_colours_come_cell_by_cell_and_in_runs() {
+        let expected = [vec![1, 2, 3], vec![4, 5, 6]];
+        assert_eq!(drawn(false, colours(5, 0, 0, &[], &[1, 2, 3, 4, 5, 6])).0, expected);
+        assert_eq!(drawn(false, colours(5, 16, 4, &[], &[0x12, 0x30, 0x45, 0x60])).0, expected);
+        let runs = [2, 1, 1, 2, 9, 3];
+        assert_eq!(drawn(false, colours(6, 8, 0, &EIGHT, &runs)).0, [vec![1, 1, 2], vec![3, 3, 3]]);
+        let (rows, skipped) = drawn(true, colours(5, 0, 8, &[], &[255, 0, 0].repeat(6)));
+        assert!(rows.len() == 2 && rows.concat().iter().all(|index| *index == rows[0][0]), "{rows:?}");
+        assert!(skipped.is_empty(), "{skipped:?}");
+    }
+
+    #[test]
+    fn tiles_of_two_colours_come_bit_by_bit_and_in_runs() {
+        assert_eq!(drawn(false, bitonal(5, 8, &[], &[0b1010_0000, 0b0110_0000])).0, [[5, 4, 5], [4, 5, 5]]);
+        assert_eq!(drawn(false, bitonal(5, 0, &[], &[0b1010_1100])).0, [[5, 4, 5], [4, 5, 5]]);
+        assert_eq!(drawn(false, bitonal(0, 0, &[], &[])).0, [[4; 3]; 2]);
+        assert_eq!(drawn(false, bitonal(1, 0, &[], &[])).0, [[5; 3]; 2]);
+        // Two of the foreground, one of the background; three of the foreground.
+        let runs = [0b0000_0010, 0b1000_0000, 0b1000_0000, 0b0000_0011, 0b1000_0000];
+        assert_eq!(drawn(false, bitonal(6, 8, &EIGHT, &runs)).0, [[5, 5, 4], [5, 5, 5]]);
+    }
+
+    #[test]
+    fn what_is_compressed_in_other_ways_is_told() {
+        let told = |tile: Element| drawn(false, tile).1;
+        assert_eq!(told(colours(7, 0, 0, &[], &[1])), ["TILE, compressed by JPEG"]);
+        assert_eq!(told(bitonal(2, 0, &[], &[1])), ["BITONAL TILE, compressed by T.6"]);
+        assert_eq!(told(colours(5, 0, 0, &[], &[1])), ["TILE with senseless parameters"]);
+        assert_eq!(told(colours(6, 0, 0, &[], &[1])), ["TILE with senseless parameters"]);
+        assert!(told(colours(0, 0, 0, &[], &[])).is_empty());
+    }
 }

@@ -1,5 +1,6 @@
 //! Attributes, resolved and written where they change.
 
+use super::descriptor::line_type;
 use super::{CgmRecorder, Class};
 use crate::cgm::element::{Cells, Ink, Inks, Value};
 use crate::generated::elements::Kind;
@@ -62,8 +63,7 @@ impl CgmRecorder {
             return;
         }
         let line = self.tables.line(look);
-        // Dash-dot-dot is one of the standard.
-        self.set(Kind::LineType, integer(if line.linetype == -1 { 5 } else { line.linetype }));
+        self.set(Kind::LineType, integer(line_type(line.linetype)));
         self.set(Kind::LineWidth, real(line.width));
         self.set_ink(Kind::LineColour, line.colour);
         if self.settings.version >= 3 {

@@ -7,9 +7,25 @@ use super::CgmRecorder;
 use crate::cgm::element::{Element, Ink, Value};
 use crate::cgm::fonts;
 use crate::generated::elements::Kind;
+use gks_pipeline::generated::numbers;
 
 /// The largest colour index where that is enough: some readers take an octet for a signed number.
 const MODEST_COLOUR: u32 = 127;
+
+/// The linetypes that are ours alone, in nominal linewidths, so that every reader can draw them.
+fn line_types() -> impl Iterator<Item = Element> {
+    let own = numbers::LINETYPES.iter().filter(|own| line_type(own.number) < 0);
+    own.map(|own| {
+        let mut values = vec![Value::Integer(own.number), Value::Real(own.dashes.iter().sum())];
+        values.extend(own.dashes.iter().map(|length| Value::Integer(*length as i32)));
+        Element::new(Kind::LineAndEdgeTypeDefinition, values)
+    })
+}
+
+/// The line type for one of our linetypes: dash-dot-dot is one of the standard.
+pub(super) fn line_type(linetype: i32) -> i32 {
+    if linetype == -1 { 5 } else { linetype }
+}
 
 impl CgmRecorder {
     /// The octets of the descriptor.
@@ -29,10 +45,13 @@ impl CgmRecorder {
         let mut elements = self.encoder.precisions();
         elements.push(Element::new(Kind::MaximumColourIndex, [most]));
         elements.push(Element::new(Kind::FontList, names));
-        let coordinates = self.encoder.coordinate_precisions();
-        if !coordinates.is_empty() {
+        let mut defaults = self.encoder.coordinate_precisions();
+        if self.settings.version >= 3 && !self.settings.plain {
+            defaults.extend(line_types());
+        }
+        if !defaults.is_empty() {
             elements.push(Element::new(Kind::BeginMetafileDefaultsReplacement, []));
-            elements.extend(coordinates);
+            elements.extend(defaults);
             elements.push(Element::new(Kind::EndMetafileDefaultsReplacement, []));
         }
         for element in elements {

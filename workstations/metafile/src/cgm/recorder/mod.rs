@@ -34,7 +34,7 @@ use std::collections::BTreeMap;
 /// What a metafile is to hold.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// The version: 1, or 3 for line ends and corners and Bezier curves.
+    /// The version: 1, or 3 for line ends and corners, the dashes of our own linetypes, and Bezier curves.
     pub version: u8,
     /// Width and height of the display surface, in metres.
     pub size: (f64, f64),
