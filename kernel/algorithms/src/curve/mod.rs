@@ -6,5 +6,5 @@
 mod bezier;
 mod natural_spline;
 
-pub use bezier::{chain, cubic, quadratic};
+pub use bezier::{chain, cubic, cubic_within, quadratic, quadratic_within};
 pub use natural_spline::NaturalSpline;

@@ -220,13 +220,9 @@ fn outlines(
     canvas: &mut Canvas<'_>,
 ) -> Result<(), DeviceError> {
     let tolerance = canvas.tolerance();
-    // A curve stays inside of its control points: what it does beyond the clipping rectangle makes no difference.
-    let hidden = |points: &[DVec2]| {
-        !Rect::around(points.iter().copied().map(Point::from_vec))
-            .is_some_and(|hull: Rect<Du>| hull.meets(clip))
-    };
-    let glow = canvas.glow;
-    let seen = |points: &[DVec2]| glow || !hidden(points);
+    // The band of highlighting is seen as far as it is wide.
+    let seen = clip.grown(if canvas.glow { glow::pen(0.0, canvas).width } else { 0.0 });
+    let seen = (seen.min.0, seen.max.0);
     let mut rings = PathBuf::<Du>::new();
     let mut rest = run.glyphs;
     while let Some((glyph, others)) = rest.split_first() {
@@ -240,17 +236,18 @@ fn outlines(
                     last = at(p);
                     rings.push(last);
                 }
-                Verb::Quad(c, p) if seen(&[last, at(c), at(p)]) => {
-                    curve::quadratic([last, at(c), at(p)], tolerance, &mut rings.points);
-                    last = at(p);
-                }
-                Verb::Cubic(c, d, p) if seen(&[last, at(c), at(d), at(p)]) => {
-                    curve::cubic([last, at(c), at(d), at(p)], tolerance, &mut rings.points);
-                    last = at(p);
-                }
-                Verb::Line(p) | Verb::Quad(_, p) | Verb::Cubic(_, _, p) => {
+                Verb::Line(p) => {
                     last = at(p);
                     rings.push(last);
+                }
+                Verb::Quad(c, p) => {
+                    curve::quadratic_within(seen, [last, at(c), at(p)], tolerance, &mut rings.points);
+                    last = at(p);
+                }
+                Verb::Cubic(c, d, p) => {
+                    let curve = [last, at(c), at(d), at(p)];
+                    curve::cubic_within(seen, curve, tolerance, &mut rings.points);
+                    last = at(p);
                 }
                 Verb::Close => rings.end_or_drop(3),
             }
