@@ -3,8 +3,8 @@
 use crate::options::Options;
 use gks_pipeline::colour::Colour;
 use gks_pipeline::description::{
-    Category, Classification, DeferralMode, Description, DynamicModification, DynamicModifications,
-    RegenerationMode, SegmentModifications,
+    Category, Classification, DeferralMode, Description, DynamicModifications, RegenerationMode,
+    SegmentModifications,
 };
 use gks_pipeline::device::{Page, Surface};
 
@@ -52,15 +52,7 @@ pub(crate) fn description(number: i32, name: &'static str, options: &Options) ->
         raster,
         surface,
         colours: 0,
-        dynamic: DynamicModifications {
-            line_bundles: DynamicModification::Imm,
-            marker_bundles: DynamicModification::Imm,
-            text_bundles: DynamicModification::Imm,
-            fill_bundles: DynamicModification::Imm,
-            patterns: DynamicModification::Imm,
-            colours: DynamicModification::Imm,
-            transformation: DynamicModification::Irg,
-        },
+        dynamic: DynamicModifications::REDRAWN,
         deferral: DeferralMode::Asti,
         regeneration: RegenerationMode::Suppressed,
         segments: SegmentModifications::REDRAWN,

@@ -69,10 +69,8 @@ enumeration! {
     }
 }
 
-/// How changes of workstation attributes become visible, in the order of the inquiry.
-///
-/// A device that keeps no picture shows a changed table in what is drawn from then on, which is
-/// [`DynamicModification::Imm`]: nothing has to be drawn again.
+/// How what is drawn already comes to look different when a workstation attribute is changed, in the order of the inquiry.
+/// What is drawn later has the new attributes in any case.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct DynamicModifications {
     /// Polyline bundles.
@@ -89,6 +87,19 @@ pub struct DynamicModifications {
     pub colours: DynamicModification,
     /// Workstation transformation.
     pub transformation: DynamicModification,
+}
+
+impl DynamicModifications {
+    /// Of a device that cannot change what it has drawn.
+    pub const REDRAWN: DynamicModifications = DynamicModifications {
+        line_bundles: DynamicModification::Irg,
+        marker_bundles: DynamicModification::Irg,
+        text_bundles: DynamicModification::Irg,
+        fill_bundles: DynamicModification::Irg,
+        patterns: DynamicModification::Irg,
+        colours: DynamicModification::Irg,
+        transformation: DynamicModification::Irg,
+    };
 }
 
 /// How changes of segments become visible, in the order of the inquiry.

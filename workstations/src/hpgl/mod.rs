@@ -9,8 +9,8 @@ mod plot;
 
 use crate::options::Options;
 use gks_pipeline::description::{
-    Category, Classification, DeferralMode, Description, DynamicModification, DynamicModifications,
-    RegenerationMode, SegmentModifications,
+    Category, Classification, DeferralMode, Description, DynamicModifications, RegenerationMode,
+    SegmentModifications,
 };
 use gks_pipeline::device::{Device, DeviceError, Drawn, Form, Mark, Page, Sink, Surface};
 use plot::Plot;
@@ -86,15 +86,7 @@ pub fn describe(number: i32, name: &'static str, options: &Options) -> Descripti
         surface,
         // Every index may be set; which pen draws it is a matter of the profile.
         colours: 0,
-        dynamic: DynamicModifications {
-            line_bundles: DynamicModification::Imm,
-            marker_bundles: DynamicModification::Imm,
-            text_bundles: DynamicModification::Imm,
-            fill_bundles: DynamicModification::Imm,
-            patterns: DynamicModification::Imm,
-            colours: DynamicModification::Imm,
-            transformation: DynamicModification::Irg,
-        },
+        dynamic: DynamicModifications::REDRAWN,
         deferral: DeferralMode::Asti,
         regeneration: RegenerationMode::Suppressed,
         segments: SegmentModifications::REDRAWN,

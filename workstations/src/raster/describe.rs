@@ -95,11 +95,12 @@ pub fn true_colour(number: i32, name: &'static str, options: &Options) -> Result
 
 /// The description of an indexed frame buffer or image file.
 pub fn indexed(number: i32, name: &'static str, options: &Options) -> Result<Description, SizeError> {
-    Ok(description(number, name, Layout::new(options)?, 256))
+    // The colour of an index is that of all its pixels.
+    let dynamic = DynamicModifications { colours: DynamicModification::Imm, ..DynamicModifications::REDRAWN };
+    Ok(Description { dynamic, ..description(number, name, Layout::new(options)?, 256) })
 }
 
 fn description(number: i32, name: &'static str, layout: Layout, colours: u32) -> Description {
-    use DynamicModification::{Imm, Irg};
     Description {
         number,
         name,
@@ -108,15 +109,7 @@ fn description(number: i32, name: &'static str, layout: Layout, colours: u32) ->
         surface: layout.surface(),
         raster: (layout.width, layout.height),
         colours,
-        dynamic: DynamicModifications {
-            line_bundles: Imm,
-            marker_bundles: Imm,
-            text_bundles: Imm,
-            fill_bundles: Imm,
-            patterns: Imm,
-            colours: Imm,
-            transformation: Irg,
-        },
+        dynamic: DynamicModifications::REDRAWN,
         deferral: DeferralMode::Asti,
         regeneration: RegenerationMode::Suppressed,
         segments: SegmentModifications::REDRAWN,
@@ -127,6 +120,9 @@ fn description(number: i32, name: &'static str, layout: Layout, colours: u32) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raster::{Indexed, TrueColour};
+    use gks_pipeline::colour::Colour;
+    use gks_pipeline::device::{Device, Page};
 
     fn sized(width: f64, height: f64) -> Options {
         Options { size: Some((width, height)), ..Options::default() }
@@ -164,5 +160,23 @@ mod tests {
         assert_eq!(turned(None), (300, 200));
         assert_eq!(turned(Some(true)), (300, 200));
         assert_eq!(turned(Some(false)), (200, 300));
+    }
+
+    #[test]
+    fn colours_that_change_at_once_are_described_so() {
+        let options = sized(4.0, 4.0);
+        let indexed: Box<dyn Device> = Box::new(Indexed::new(&options, None).unwrap());
+        let true_colour: Box<dyn Device> = Box::new(TrueColour::new(&options, None).unwrap());
+        for (mut device, described) in
+            [(indexed, super::indexed(1, "x", &options)), (true_colour, super::true_colour(1, "x", &options))]
+        {
+            let colours = vec![(0, Colour::WHITE), (1, Colour::BLACK)];
+            device.begin(&Page { number: 1, background: Colour::WHITE, colours }).unwrap();
+            let buffer = device.frame_buffer().unwrap();
+            let changed = buffer.set_colour(0, Colour::rgb(1.0, 0.0, 0.0));
+            let shown = if changed { Colour::rgb(1.0, 0.0, 0.0) } else { Colour::WHITE };
+            assert_eq!(buffer.colour(1, 1), Some(shown));
+            assert_eq!(described.unwrap().dynamic.colours == DynamicModification::Imm, changed);
+        }
     }
 }

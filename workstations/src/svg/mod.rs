@@ -23,8 +23,8 @@ use crate::route::Route;
 use document::Document;
 use gks_pipeline::colour::Colour;
 use gks_pipeline::description::{
-    Category, Classification, DeferralMode, Description, DynamicModification, DynamicModifications,
-    RegenerationMode, SegmentModifications,
+    Category, Classification, DeferralMode, Description, DynamicModifications, RegenerationMode,
+    SegmentModifications,
 };
 use gks_pipeline::device::{
     Device, DeviceError, Drawn, Fill, Form, Mark, MarkerStyle, Page, Pen, Sink, Surface,
@@ -81,7 +81,6 @@ impl Svg {
 /// The description of the workstation type with this number and name when it is opened with these options.
 pub fn describe(number: i32, name: &'static str, options: &Options) -> Description {
     let surface = surface(options);
-    let immediate = DynamicModification::Imm;
     Description {
         number,
         name,
@@ -90,15 +89,7 @@ pub fn describe(number: i32, name: &'static str, options: &Options) -> Descripti
         raster: (surface.width.round() as u32, surface.height.round() as u32),
         surface,
         colours: 0,
-        dynamic: DynamicModifications {
-            line_bundles: immediate,
-            marker_bundles: immediate,
-            text_bundles: immediate,
-            fill_bundles: immediate,
-            patterns: immediate,
-            colours: immediate,
-            transformation: DynamicModification::Irg,
-        },
+        dynamic: DynamicModifications::REDRAWN,
         deferral: DeferralMode::Asti,
         regeneration: RegenerationMode::Suppressed,
         segments: SegmentModifications::REDRAWN,
