@@ -71,14 +71,13 @@ fn programs_need_nothing_but_the_folder() {
     fs::write(folder.file("line.f"), FORTRAN).expect("the folder is ours");
     let here = folder.file("");
 
-    let doctor = said(Command::new(installed("bin/gks")).args(["doctor", &installed("lib/libgks.so")]));
-    assert!(
-        ["libNGgks.so.1", "libxgks-gfortran.so.2", "libGKS.so"].iter().all(|name| doctor.contains(name)),
-        "{doctor}"
-    );
     if has_compiler("gcc") {
         said(Command::new(installed("bin/gks")).args(["cc", "line.c", "-o", "by_gks"]).current_dir(&here));
         draws(&folder, "by_gks", "line.svg", "");
+        let doctor = said(Command::new(installed("bin/gks")).arg("doctor").arg(folder.file("by_gks")));
+        for library in ["libgks.so", "libNGgks.so.1", "libxgks-gfortran.so.2", "libGKS.so"] {
+            assert!(doctor.contains(library), "{doctor}");
+        }
     }
     if has_compiler("gfortran") {
         said(
