@@ -145,6 +145,25 @@ fn primitives_of_gr_are_drawn() {
     assert_eq!(at(0.7405, 0.1255), [0xff, 0x80, 0x80], "and a marker, whose arm lies on two rows of pixels");
 }
 
+/// What GR has beyond the standard is drawn: images with opacity, wider lines, text that leans.
+#[cfg(target_os = "linux")]
+#[test]
+fn extensions_of_gr_are_drawn() {
+    if !has_compiler("gcc") {
+        return;
+    }
+    let picture = image::load_from_memory(&picture("gr_extension", GR)).expect("a picture").into_rgb8();
+    let at = |x: f64, y: f64| picture.get_pixel((1000.0 * x) as u32, (1000.0 * (1.0 - y)) as u32).0;
+    assert_eq!(at(0.15, 0.15), [0xff, 0x00, 0x00], "a pixel of an image");
+    assert_eq!(at(0.25, 0.15), [0x7d, 0x7d, 0xff], "a translucent one");
+    assert_eq!(at(0.15, 0.35), [0x00, 0xff, 0x00], "another image");
+    assert_eq!(at(0.55, 0.15), [0xff, 0x7d, 0x7d], "an image while all is translucent");
+    assert_eq!([at(0.5, 0.5035), at(0.5, 0.6035)], [[0x00; 3], [0xff; 3]], "nominal linewidths");
+    let leans =
+        (60..70).any(|x| (80..84).any(|y| at(f64::from(x) / 100.0, f64::from(y) / 100.0) != [0xff; 3]));
+    assert!(leans, "the upper end of the I is to the right of its foot");
+}
+
 /// A program's own error handling function gets the numbers that XGKS has for its functions.
 #[cfg(target_os = "linux")]
 #[test]

@@ -99,11 +99,12 @@ impl Drivers {
         let base = base.trim();
         let wish = |kind, preset, file| Ok(Some(Wish { kind, preset, file, options }));
         let foreign = base.parse().ok().and_then(|number| dialect.find(number));
+        let named = dialect.named(base).and_then(by_number).map(|kind| (kind, false));
         match foreign.map(|foreign| foreign.meaning) {
             Some(Meaning::Own(own::WISS, _)) => Err(no_such_name(text)),
             Some(Meaning::Own(number, preset)) => wish(by_number(number).unwrap_or(default()), preset, None),
             Some(Meaning::Chosen | Meaning::Kept) => wish(default(), "", None),
-            None => match by_text(base) {
+            None => match named.or_else(|| by_text(base)) {
                 Some((kind, is_file)) if kind.number != own::WISS => wish(kind, "", is_file.then_some(base)),
                 _ => Err(no_such_name(text)),
             },

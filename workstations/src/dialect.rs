@@ -87,7 +87,9 @@ const XGKS: &[Foreign] = &[
     foreign(4, 4, Category::OutIn, Meaning::Chosen),
 ];
 
-/// GR 0.73: 2, 7 and 8 are metafiles; 41, 51, 210 to 213 and from 371 on windows and viewers.
+/// GR 0.73: 2, 7 and 8 are metafiles; 41, 141, 142, 211 to 213, 371 and from 380 on windows and viewers but for SVG; 120,
+/// 121 and 160 to 162 films, 131 one of PNG; 150 to 152 pictures in terminals; 170, 214, 216, 314 and 390 formats that
+/// nobody writes here.
 const GR: &[Foreign] = &[
     foreign(2, 2, Category::MetafileOutput, Meaning::Chosen),
     foreign(3, 3, Category::MetafileInput, Meaning::Own(own::MI, "")),
@@ -95,17 +97,36 @@ const GR: &[Foreign] = &[
     foreign(7, 8, Category::MetafileOutput, Meaning::Chosen),
     foreign(41, 41, Category::OutIn, Meaning::Chosen),
     foreign(51, 51, Category::OutIn, Meaning::Chosen),
-    output(61, 64, own::PS),
+    output(61, 62, own::PS),
+    landscape(63, 64, own::PS),
     output(100, 100, own::NULL),
     output(101, 102, own::PDF),
+    foreign(120, 121, Category::Output, Meaning::Chosen),
+    output(130, 130, own::GIF),
+    output(131, 131, own::PNG),
     output(140, 140, own::PNG),
     foreign(141, 142, Category::Output, Meaning::Chosen),
     output(143, 143, own::FRAMEBUFFER),
     output(144, 144, own::JPEG),
     output(145, 145, own::BMP),
     output(146, 146, own::TIFF),
+    output(150, 150, own::SIXEL),
+    output(151, 151, own::TERMINAL),
+    output(152, 152, own::KITTY),
+    foreign(160, 162, Category::Output, Meaning::Chosen),
+    foreign(170, 170, Category::Output, Meaning::Chosen),
+    output(171, 171, own::PNG),
+    output(172, 172, own::JPEG),
+    output(173, 173, own::FRAMEBUFFER),
     foreign(210, 210, Category::Output, Meaning::Chosen),
     foreign(211, 213, Category::OutIn, Meaning::Chosen),
+    foreign(214, 214, Category::Output, Meaning::Chosen),
+    output(215, 215, own::GIF),
+    foreign(216, 216, Category::Output, Meaning::Chosen),
+    output(217, 217, own::FRAMEBUFFER),
+    output(218, 218, own::GIF),
+    foreign(301, 301, Category::Output, Meaning::Chosen),
+    foreign(314, 314, Category::Output, Meaning::Chosen),
     output(320, 320, own::BMP),
     output(321, 321, own::JPEG),
     output(322, 322, own::PNG),
@@ -113,10 +134,39 @@ const GR: &[Foreign] = &[
     foreign(371, 371, Category::Output, Meaning::Chosen),
     foreign(380, 381, Category::Output, Meaning::Chosen),
     output(382, 382, own::SVG),
+    foreign(390, 390, Category::Output, Meaning::Chosen),
     foreign(400, 400, Category::Output, Meaning::Chosen),
-    foreign(410, 411, Category::Output, Meaning::Chosen),
+    foreign(410, 413, Category::Output, Meaning::Chosen),
     foreign(415, 415, Category::Output, Meaning::Chosen),
     foreign(420, 420, Category::Output, Meaning::Chosen),
+];
+
+/// The names that users of GR give to types, where ours are others. Who asks for a window by its name gets one.
+const GR_NAMES: &[(&str, i32)] = &[
+    ("apng", own::PNG),
+    ("cairobmp", own::BMP),
+    ("cairojpg", own::JPEG),
+    ("cairopng", own::PNG),
+    ("cairotif", own::TIFF),
+    ("cairox11", own::WINDOW),
+    ("gksqt", own::WINDOW),
+    ("gl", own::WINDOW),
+    ("gtk", own::WINDOW),
+    ("iterm", own::TERMINAL),
+    ("mo", own::GKSM),
+    ("nul", own::NULL),
+    ("opengl", own::WINDOW),
+    ("qt", own::WINDOW),
+    ("qtagg", own::WINDOW),
+    ("qtcairo", own::WINDOW),
+    ("quartz", own::WINDOW),
+    ("six", own::SIXEL),
+    ("sock", own::WINDOW),
+    ("socket", own::WINDOW),
+    ("win", own::WINDOW),
+    ("wx", own::WINDOW),
+    ("x11", own::WINDOW),
+    ("zmq", own::WINDOW),
 ];
 
 impl Dialect {
@@ -162,6 +212,12 @@ impl Dialect {
         }
     }
 
+    /// The type of our own that a name of the dialect means.
+    pub(crate) fn named(self, name: &str) -> Option<i32> {
+        let names = if self == Dialect::Gr { GR_NAMES } else { &[] };
+        names.iter().find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|&(_, number)| number)
+    }
+
     /// What a number is in the dialect, if it is one of its numbers.
     pub(crate) fn find(self, number: i32) -> Option<&'static Foreign> {
         self.table().iter().find(|f| (f.first..=f.last).contains(&number))
@@ -196,6 +252,35 @@ mod tests {
         for dialect in [Dialect::Iso, Dialect::Ncar, Dialect::Xgks, Dialect::Gr] {
             assert_eq!(Dialect::from_name(dialect.name()), Some(dialect));
         }
+    }
+
+    #[test]
+    fn gr_numbers_and_names_mean_what_its_programs_and_users_expect() {
+        let meaning = |number| Dialect::Gr.find(number).map(|f| f.meaning);
+        for (number, kind) in [
+            (100, own::NULL),
+            (102, own::PDF),
+            (130, own::GIF),
+            (140, own::PNG),
+            (150, own::SIXEL),
+            (152, own::KITTY),
+            (172, own::JPEG),
+            (173, own::FRAMEBUFFER),
+            (382, own::SVG),
+        ] {
+            assert_eq!(meaning(number), Some(Meaning::Own(kind, "")), "{number}");
+        }
+        assert_eq!(meaning(64), Some(Meaning::Own(own::PS, "landscape=1")));
+        // All types that GR 0.73 lists.
+        let listed = [
+            2, 3, 5, 41, 61, 62, 63, 64, 100, 101, 102, 120, 121, 130, 131, 140, 141, 142, 143, 144, 145,
+            146, 150, 151, 152, 160, 161, 162, 170, 171, 172, 173, 210, 211, 212, 213, 214, 215, 216, 217,
+            218, 301, 314, 320, 321, 322, 323, 371, 380, 381, 382, 390, 400, 410, 411, 412, 413, 415, 420,
+        ];
+        assert!(listed.into_iter().all(|number| meaning(number).is_some()));
+        assert_eq!(Dialect::Gr.named("CairoPNG"), Some(own::PNG));
+        assert_eq!(Dialect::Gr.named("x11"), Some(own::WINDOW));
+        assert_eq!((Dialect::Gr.named("svg"), Dialect::Ncar.named("x11")), (None, None));
     }
 
     #[test]

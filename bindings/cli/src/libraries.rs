@@ -18,9 +18,9 @@ pub struct Library {
     /// What the names of all versions of the library begin with.
     stem: &'static str,
     /// The name of the file where cargo cannot give it the proper one.
-    built: &'static str,
+    pub(crate) built: &'static str,
     /// The package that it is built from.
-    package: &'static str,
+    pub(crate) package: &'static str,
 }
 
 const fn library(
@@ -53,7 +53,7 @@ impl Library {
         LIBRARIES.iter().find(|library| library.dialect == dialect)
     }
 
-    /// The file of the library: beside this command or in `lib` next to its folder. In a checkout it is built
+    /// The file of the library: beside this command, or in `lib` or `lib/gks` next to its folder, where `gks install` puts it. In a checkout it is built
     /// where it is not there.
     pub fn find(&self) -> Result<PathBuf, Failure> {
         let command = env::current_exe()?;
@@ -97,7 +97,7 @@ impl Library {
 }
 
 /// The top of the checkout that a command in `target/PROFILE` belongs to.
-fn checkout(folder: &Path) -> Option<&Path> {
+pub(crate) fn checkout(folder: &Path) -> Option<&Path> {
     let root = folder.parent()?.parent()?;
     root.join("bindings").join("compat").is_dir().then_some(root)
 }

@@ -2,7 +2,9 @@
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use gks_cli::bench::measurement::Effort;
-use gks_cli::commands::{Failure, bench, compile, coverage, demo, doctor, info, play, run, workstations};
+use gks_cli::commands::{
+    Failure, bench, compile, coverage, demo, doctor, info, install, play, run, workstations,
+};
 use gks_cli::viewer;
 use gks_metafile::ReadOptions;
 use gks_pipeline::record::item::Convention;
@@ -79,6 +81,11 @@ enum Command {
         /// Arguments for the Fortran compiler.
         #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
         arguments: Vec<OsString>,
+    },
+    /// Put the command, the libraries and the headers into a folder, for use without the sources.
+    Install {
+        /// The folder, for example /usr/local; made if it is not there.
+        prefix: PathBuf,
     },
     /// Run a program that was built for another GKS, unchanged, on any device.
     Run {
@@ -166,6 +173,7 @@ fn main() -> ExitCode {
         Command::Spec { json } => coverage::run(json),
         Command::Cc { arguments } => compile::run(compile::Language::C, &arguments),
         Command::Fc { arguments } => compile::run(compile::Language::Fortran, &arguments),
+        Command::Install { prefix } => install::run(&prefix),
         Command::Run { dialect, on, output, program } => {
             let wishes = run::Wishes { dialect: Dialect::from_name(&dialect), on, output };
             match program.split_first() {

@@ -1,4 +1,5 @@
-//! Every workload that is drawn in memory or into a file, at its smallest size.
+//! Every workload but whole processes, at its smallest size: drawn in memory or into a file, redrawn from a segment,
+//! played from a metafile.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use gks_cli::bench::measurement::{self, Folder};
@@ -21,7 +22,23 @@ fn drawing(c: &mut Criterion) {
                 });
                 continue;
             }
-            Way::Redrawn | Way::Played | Way::Start(_) => continue,
+            Way::Redrawn => {
+                let mut gks = measurement::open_segment(&*scene).expect("a segment");
+                group.bench_function(&workload.name, |b| {
+                    b.iter(|| gks.redraw_all_segments_on_workstation(1).expect("the segment is redrawn"));
+                });
+                continue;
+            }
+            Way::Played(kind) => {
+                let file = folder.path().join(&workload.name);
+                measurement::write(kind, &*scene, &file).expect("the metafile is written");
+                let mut gks = measurement::open(own::FRAMEBUFFER, "").expect("a frame buffer");
+                group.bench_function(&workload.name, |b| {
+                    b.iter(|| measurement::play(&mut gks, &file).expect("the metafile is played"));
+                });
+                continue;
+            }
+            Way::Start(_) => continue,
         };
         let mut gks = measurement::open(kind, "").expect("a frame buffer");
         group.bench_function(&workload.name, |b| {

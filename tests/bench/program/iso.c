@@ -11,7 +11,8 @@ static const struct {
 
 int open_library(const char *device, const char *file)
 {
-    int type = 0, aliased = strstr(device, "-aliased") != NULL;
+    char connection[4096];
+    int type = 0, aliased = strstr(device, "-aliased") != NULL, small = strstr(device, "-small") != NULL;
     for (unsigned i = 0; i < sizeof devices / sizeof *devices; i++)
         if (!strncmp(device, devices[i].name, strlen(devices[i].name)))
             type = aliased ? devices[i].aliased_type : devices[i].type;
@@ -19,7 +20,8 @@ int open_library(const char *device, const char *file)
         return 0;
     Gtext_font_prec strokes = {1, GPREC_STROKE};
     gopen_gks(NULL, GDEF_MEM_SIZE);
-    gopen_ws(1, file, type);
+    snprintf(connection, sizeof connection, "%s%s", file, small ? "?small=1" : "");
+    gopen_ws(1, connection, type);
     gactivate_ws(1);
     for (int i = 0; i < 256; i++) {
         int rgb[3];

@@ -13,7 +13,7 @@ struct points {
     const float *pairs;               /* x and y of each point in turn */
 };
 
-/* Opens a workstation: memory, png, svg, pdf or ps. What is written goes to the file. 0 if there is none such. */
+/* Opens a workstation: memory, png, svg, pdf, pdf-small or ps. What is written goes to the file. 0 if there is none such. */
 int open_library(const char *device, const char *file);
 void set_window(double left, double right);
 void set_line(int dashed, double width, int antialiased);

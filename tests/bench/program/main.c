@@ -163,7 +163,9 @@ int main(int count, char **arguments)
         cells = read_cells(data, name, size);
     else if (!is_start)
         parts = read_parts(data, name);
-    unlink(file);
+    struct stat status;
+    if (!stat(file, &status) && S_ISREG(status.st_mode))
+        unlink(file);
 
     long before = memory("VmRSS:");
     double start = cpu();
@@ -200,7 +202,6 @@ int main(int count, char **arguments)
     close_library();
     double closed = cpu();
 
-    struct stat status;
     long bytes = stat(file, &status) ? 0 : (long)status.st_size;
     double draw = (drawn - opened) / repetitions;
     printf("{\"open_ms\":%.4f,\"draw_ms\":%.4f,\"close_ms\":%.4f,\"process_ms\":%.4f,\"peak_kib\":%ld,\"bytes\":%ld}\n",

@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::cost::{Cost, Part};
 use crate::data;
 use crate::gate::{Gate, Measure, OWN_TENTH, ROWS, gates};
-use crate::peer::{OURS, Peer};
+use crate::peer::{OURS, PATIENCE, Peer, Run};
 use crate::profile;
 use gks_cli::bench::clock::median;
 use gks_cli::bench::measurement::{Effort, Folder, measure};
@@ -56,16 +56,25 @@ pub(crate) struct Cell {
     /// The times of all rounds in milliseconds.
     samples: Vec<f64>,
     /// The first run.
-    pub(crate) first: Option<Cost>,
+    pub(crate) first: Run,
     /// The instructions of a process, where they are compared and can be counted.
     instructions: Option<u64>,
     repetitions: u32,
 }
 
 impl Cell {
-    /// The median time in milliseconds, if the library can do it in reasonable time.
+    /// The median time in milliseconds, if the library can do it; at least so much if it was given up.
     pub(crate) fn time(&self) -> Option<f64> {
-        self.first.map(|_| median(self.samples.clone()))
+        match self.first {
+            Run::Done(_) => Some(median(self.samples.clone())),
+            Run::GivenUp => Some(f64::from(PATIENCE) * 1e3),
+            Run::Impossible => None,
+        }
+    }
+
+    /// What the first run has cost, if it came to its end.
+    pub(crate) fn cost(&self) -> Option<Cost> {
+        self.first.cost()
     }
 }
 
@@ -83,21 +92,37 @@ impl Row {
         self.cells.iter().find(|cell| cell.peer == peer)
     }
 
-    /// How many times as much as the other library this one needs.
-    pub(crate) fn ratio(&self, gate: &Gate) -> Option<f64> {
-        let (ours, theirs) = (self.cell(OURS)?, self.cell(gate.peer)?);
-        match gate.measure {
-            Measure::Time => Some(ours.time()? / theirs.time()?),
-            Measure::Bytes => Some(ours.first?.bytes as f64 / theirs.first?.bytes as f64),
-            Measure::Instructions => Some(ours.instructions? as f64 / theirs.instructions? as f64),
+    /// What a gate bounds, as it is measured: how many times as much as the other library this one needs, decibels, or
+    /// MiB.
+    pub(crate) fn reached(&self, gate: &Gate) -> Option<f64> {
+        let ours = self.cell(OURS)?;
+        match *gate {
+            Gate::Likeness(_) => self.likeness.map(|(psnr, ..)| psnr),
+            Gate::Memory(_) => Some(ours.cost()?.peak_kib as f64 / 1024.0),
+            Gate::Against { peer, measure, .. } => {
+                let theirs = self.cell(peer)?;
+                let ratio = match measure {
+                    Measure::Time => ours.time()? / theirs.time()?,
+                    Measure::Bytes => ours.cost()?.bytes as f64 / theirs.cost()?.bytes as f64,
+                    Measure::Instructions => ours.instructions? as f64 / theirs.instructions? as f64,
+                };
+                Some(ratio).filter(|ratio| ratio.is_finite())
+            }
         }
-        .filter(|ratio| ratio.is_finite())
     }
 
     /// Whether a gate is missed.
-    pub(crate) fn misses(&self) -> bool {
-        let missed = |gate: &Gate| self.ratio(gate).is_some_and(|ratio| ratio > gate.factor);
-        gates(self.workload, self.device).iter().any(missed)
+    pub(crate) fn misses(&self, gate: &Gate) -> bool {
+        self.reached(gate).is_some_and(|reached| match *gate {
+            Gate::Against { factor, .. } => reached > factor,
+            Gate::Likeness(least) => reached < least,
+            Gate::Memory(most) => reached > most,
+        })
+    }
+
+    /// The gates that are missed.
+    pub(crate) fn missed(&self) -> Vec<Gate> {
+        gates(self.workload, self.device).into_iter().filter(|gate| self.misses(gate)).collect()
     }
 }
 
@@ -135,7 +160,7 @@ impl Comparison {
         }
         for row in &mut rows {
             row.likeness = likeness(row, folder)?;
-            if row.misses() && !self.once {
+            if row.missed().iter().any(Gate::is_of_time) && !self.once {
                 let ours = peers.iter().find(|peer| peer.name == OURS);
                 let command = ours.and_then(|peer| peer.command_line(row.device, row.workload, folder));
                 row.profile = command.map_or(Vec::new(), |words| profile::hottest(&words, folder));
@@ -148,15 +173,15 @@ impl Comparison {
         let part = row.part();
         if round == 0 {
             let first = peer.run(row.device, row.workload, 1, folder)?;
-            let time = first.map_or(SAMPLE, |cost| cost.of(part));
+            let time = if let Run::Done(cost) = first { cost.of(part) } else { SAMPLE };
             let repetitions = (SAMPLE / time.max(0.1)).ceil().clamp(1.0, 1000.0) as u32;
-            let counted = gates(row.workload, row.device).iter().any(|g| g.measure == Measure::Instructions);
+            let counted = gates(row.workload, row.device).iter().any(Gate::is_of_instructions);
             let words = peer.command_line(row.device, row.workload, folder).filter(|_| counted);
             let instructions = words.and_then(|words| profile::instructions(&words, folder));
             row.cells.push(Cell { peer: peer.name, samples: Vec::new(), first, instructions, repetitions });
         }
         let Some(cell) = row.cells.iter_mut().find(|cell| cell.peer == peer.name) else { return Ok(()) };
-        let Some(first) = cell.first else { return Ok(()) };
+        let Some(first) = cell.cost() else { return Ok(()) };
         let rounds = match first.of(part) {
             time if time > LONG[1] => 1,
             time if time > LONG[0] => 3,
@@ -166,13 +191,13 @@ impl Comparison {
             cell.samples.push(first.of(part));
         } else if round < rounds && part == Part::Drawing {
             let run = peer.run(row.device, row.workload, cell.repetitions, folder)?;
-            cell.samples.extend(run.map(|cost| cost.of(part)));
+            cell.samples.extend(run.cost().map(|cost| cost.of(part)));
         } else if round < rounds {
             // A document is written by each process once.
             let runs = cell.repetitions.min(20);
             let runs = (0..runs).map(|_| peer.run(row.device, row.workload, 1, folder));
             let times = runs.collect::<Result<Vec<_>, _>>()?;
-            let times: Vec<f64> = times.into_iter().flatten().map(|cost| cost.of(part)).collect();
+            let times: Vec<f64> = times.iter().filter_map(Run::cost).map(|cost| cost.of(part)).collect();
             cell.samples.push(times.iter().sum::<f64>() / times.len().max(1) as f64);
         }
         Ok(())
@@ -186,4 +211,42 @@ fn likeness(row: &Row, folder: &Path) -> Result<Option<(f64, f64, f64)>, Failure
     let measured = measure(&workload, workload.nominal_size(), Effort::Once, folder)?;
     let parts = (measured.psnr_db, measured.ink, measured.true_ink);
     Ok(if let (Some(psnr), Some(ink), Some(truth)) = parts { Some((psnr, ink, truth)) } else { None })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(likeness: f64, mib: u64, ours: f64) -> Row {
+        let cell =
+            |peer, time, first| Cell { peer, samples: vec![time], first, instructions: None, repetitions: 1 };
+        let cost = Cost { peak_kib: mib << 10, ..Cost::default() };
+        let cells = vec![
+            cell(OURS, ours, Run::Done(cost)),
+            cell("tiny-skia", 2000.0, Run::Done(Cost::default())),
+            cell("GR", 0.0, Run::GivenUp),
+            cell("cairo", 0.0, Run::Impossible),
+        ];
+        let likeness = Some((likeness, 26.0, 26.0));
+        Row { workload: "w1", what: "W1", device: "memory", likeness, cells, profile: Vec::new() }
+    }
+
+    #[test]
+    fn a_row_misses_what_it_does_not_reach() {
+        assert_eq!(row(38.0, 16, 100.0).missed(), []);
+        let missed = row(37.9, 17, 101.0).missed();
+        assert_eq!(missed.iter().filter(|gate| gate.is_of_time()).count(), 1);
+        assert_eq!(missed[1..], [Gate::Likeness(38.0), Gate::Memory(16.0)]);
+    }
+
+    #[test]
+    fn a_run_that_is_given_up_counts_as_long_as_it_had() {
+        let against_gr = |ours| {
+            row(40.0, 1, ours)
+                .missed()
+                .into_iter()
+                .any(|gate| matches!(gate, Gate::Against { peer: "GR", .. }))
+        };
+        assert!(!against_gr(160.0) && against_gr(170.0));
+    }
 }

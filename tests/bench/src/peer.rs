@@ -5,11 +5,14 @@ use crate::cost::Cost;
 use crate::data;
 use gks_cli::bench::clock::{Peak, cpu_seconds};
 use gks_cli::bench::skia::TinySkia;
+use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// The seconds of processor time after which a run is given up.
-const PATIENCE: u32 = 10;
+pub(crate) const PATIENCE: u32 = 10;
+/// The environment variable that names the GKS of GR, as a file.
+const GR: &str = "GKS_BENCH_GR";
 
 /// A library behind a program.
 pub(crate) struct Peer {
@@ -23,6 +26,24 @@ enum Program {
     Own,
     /// Another program; how the device is called that has pixels.
     Other(PathBuf, &'static str),
+}
+
+/// How a run ended.
+#[derive(Copy, Clone, Debug)]
+pub(crate) enum Run {
+    /// The workload was drawn.
+    Done(Cost),
+    /// It took longer than [`PATIENCE`].
+    GivenUp,
+    /// The library has no such device or primitive, or failed.
+    Impossible,
+}
+
+impl Run {
+    /// What it has cost, if it came to its end.
+    pub(crate) fn cost(&self) -> Option<Cost> {
+        if let Run::Done(cost) = self { Some(*cost) } else { None }
+    }
 }
 
 /// This library, which is compared with the others.
@@ -58,15 +79,14 @@ impl Peer {
         Ok(peers)
     }
 
-    /// Draws a workload once, or more often, on a device. None if the library has no such device, or fails, or
-    /// takes too long.
+    /// Draws a workload once, or more often, on a device.
     pub(crate) fn run(
         &self,
         device: &str,
         workload: &str,
         repetitions: u32,
         folder: &Path,
-    ) -> Result<Option<Cost>, Failure> {
+    ) -> Result<Run, Failure> {
         let file = folder.join("picture");
         let mut command = match &self.program {
             Program::Own if device == "memory" => {
@@ -74,12 +94,10 @@ impl Peer {
                 command.args(["draw", workload]);
                 command
             }
-            Program::Own => return Ok(None),
+            Program::Own => return Ok(Run::Impossible),
             Program::Other(binary, pixels) => {
-                let device = if device == "memory" { pixels } else { device };
-                let aliased = self.name == OURS && device == "memory" && workload == "w1a";
                 let mut command = limited(binary);
-                command.arg(if aliased { "memory-aliased" } else { device }).arg(workload);
+                command.arg(self.device(device, pixels, workload)).arg(workload);
                 command.arg(folder.join("data")).arg(file);
                 command
             }
@@ -92,20 +110,36 @@ impl Peer {
         let output = command.output()?;
         let last = output.stdout.split(|&byte| byte == b'\n').rfind(|line| line.starts_with(b"{"));
         match last {
-            Some(line) if output.status.success() => Ok(Some(serde_json::from_slice(line)?)),
-            _ => Ok(None),
+            Some(line) if output.status.success() => Ok(Run::Done(serde_json::from_slice(line)?)),
+            _ if matches!(output.status.signal(), Some(SIGKILL | SIGXCPU)) => Ok(Run::GivenUp),
+            _ => Ok(Run::Impossible),
+        }
+    }
+
+    /// What the program calls a device. That small files are asked for, and lines that are not antialiased, is told to this
+    /// library alone: others have one kind of each.
+    fn device<'a>(&self, device: &'a str, pixels: &'a str, workload: &str) -> &'a str {
+        match device {
+            "memory" if self.name == OURS && workload == "w1a" => "memory-aliased",
+            "memory" => pixels,
+            "pdf-small" if self.name != OURS => "pdf",
+            device => device,
         }
     }
 
     /// The command line that draws a workload once, to be watched by a profiler.
     pub(crate) fn command_line(&self, device: &str, workload: &str, folder: &Path) -> Option<Vec<String>> {
-        let Program::Other(binary, _) = &self.program else { return None };
+        let Program::Other(binary, pixels) = &self.program else { return None };
         let text = |path: PathBuf| path.to_string_lossy().into_owned();
-        let device = if workload == "w1a" { "memory-aliased" } else { device };
+        let device = self.device(device, pixels, workload);
         let words = [text(binary.clone()), device.into(), workload.into(), text(folder.join("data"))];
         Some(words.into_iter().chain([text(folder.join("picture")), "1".into()]).collect())
     }
 }
+
+/// The signals that end a program which has used its time.
+const SIGKILL: i32 = 9;
+const SIGXCPU: i32 = 24;
 
 /// A program that is stopped when it has taken too long.
 fn limited(program: &Path) -> Command {
@@ -183,7 +217,19 @@ fn recipes(sources: &Path) -> Result<Vec<Recipe>, Failure> {
         "png",
     ));
     recipes.push(fortran("XGKS", "-DXGKS", &xgks, "window"));
+    match std::env::var(GR) {
+        Ok(library) => recipes.push(gr(Path::new(&library))?),
+        Err(_) => eprintln!("without GR: {GR} names no libGKS.so"),
+    }
     Ok(recipes)
+}
+
+/// The GKS of GR, which draws its pictures by the plug-in for cairo.
+fn gr(library: &Path) -> Result<Recipe, Failure> {
+    let library = library.canonicalize().map_err(|error| format!("{GR}={}: {error}", library.display()))?;
+    let folder = library.parent().unwrap_or(Path::new("/")).display();
+    let flags = vec![format!("-Wl,-rpath,{folder}"), library.display().to_string(), "-lm".into()];
+    Ok(Recipe { name: "GR", source: "gr.c", compiler: "cc", flags, pixels: "png" })
 }
 
 /// Builds the program that draws with vello_cpu.

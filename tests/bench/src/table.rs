@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::comparison::{Cell, Row};
 use crate::gate::{Gate, Measure, ROWS, gates};
 use crate::machine;
-use crate::peer::OURS;
+use crate::peer::{OURS, Run};
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -16,9 +16,9 @@ const END: &str = "<!-- speed: end -->";
 pub(crate) fn text(rows: &[Row]) -> String {
     let mut text = format!("Measured on: {}.\n", machine::description());
     let (pixels, files): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.device == "memory");
-    let columns = [OURS, "tiny-skia", "vello_cpu", "cairo", "AGG", "NCAR", "XGKS"];
-    section(&mut text, "pictures in memory, ms", &columns, &pixels);
-    section(&mut text, "files, ms / MB", &[OURS, "cairo", "NCAR"], &files);
+    let columns = [OURS, "tiny-skia", "vello_cpu", "cairo", "AGG", "GR", "NCAR", "XGKS"];
+    section(&mut text, "pictures in memory, ms / MiB", &columns, &pixels);
+    section(&mut text, "files, ms / MB / MiB", &[OURS, "cairo", "GR", "NCAR"], &files);
     let left_out: Vec<&str> = ROWS
         .iter()
         .filter(|(workload, _, device)| !rows.iter().any(|r| (r.workload, r.device) == (*workload, *device)))
@@ -27,11 +27,11 @@ pub(crate) fn text(rows: &[Row]) -> String {
     if !left_out.is_empty() {
         let _ = writeln!(text, "\nNot run this time: {}.", left_out.join("; "));
     }
-    let missed: Vec<&&Row> = pixels.iter().chain(&files).filter(|row| row.misses()).collect();
+    let missed: Vec<&&Row> = pixels.iter().chain(&files).filter(|row| !row.profile.is_empty()).collect();
     if missed.is_empty() {
         return text;
     }
-    text += "\nWhat misses its gate, and the functions in which most instructions are executed:\n\n";
+    text += "\nWhat is too slow, and the functions in which most instructions are executed:\n\n";
     for row in missed {
         let profile = row.profile.iter().map(|line| format!("`{line}`")).collect::<Vec<_>>().join(", ");
         let _ = writeln!(text, "- {}: {profile}", row.what);
@@ -59,15 +59,18 @@ fn section(text: &mut String, title: &str, columns: &[&str], rows: &[&Row]) {
     }
 }
 
+/// Time, size of the file, memory.
 fn cell(row: &Row, cell: Option<&Cell>) -> String {
-    let Some(cell) = cell else { return String::new() };
-    match (cell.time(), cell.first) {
-        (Some(time), Some(cost)) if row.device != "memory" && cost.bytes > 0 => {
-            format!("{} / {:.2}", milliseconds(time), cost.bytes as f64 * 1e-6)
-        }
-        (Some(time), _) => milliseconds(time),
-        _ => "-".into(),
+    let Some((cell, time)) = cell.and_then(|cell| Some((cell, cell.time()?))) else { return "-".into() };
+    let Run::Done(cost) = cell.first else { return format!("> {}", milliseconds(time)) };
+    let mut numbers = vec![milliseconds(time)];
+    if row.device != "memory" && cost.bytes > 0 {
+        numbers.push(format!("{:.2}", cost.bytes as f64 * 1e-6));
     }
+    if row.device == "memory" || cost.bytes > 0 {
+        numbers.push(format!("{:.0}", cost.peak_kib as f64 / 1024.0));
+    }
+    numbers.join(" / ")
 }
 
 /// Three digits that count.
@@ -79,17 +82,30 @@ fn milliseconds(time: f64) -> String {
     }
 }
 
-/// What is asked, what is reached, and whether that is enough.
+/// What is reached, what is asked, and whether that is enough.
 fn verdict(row: &Row, gate: &Gate) -> Option<String> {
-    let ratio = row.ratio(gate)?;
+    let reached = row.reached(gate)?;
     let fraction = |x: f64| if x < 0.7 { format!("1/{:.1}", 1.0 / x) } else { format!("{x:.2}") };
-    let unit = match gate.measure {
-        Measure::Time => "",
-        Measure::Bytes => " bytes",
-        Measure::Instructions => " instructions",
+    let said = match *gate {
+        Gate::Against { peer, measure, factor } => {
+            let unit = match measure {
+                Measure::Time => "",
+                Measure::Bytes => " bytes",
+                Measure::Instructions => " instructions",
+            };
+            format!("{} of {peer}{unit} ({})", fraction(reached), fraction(factor))
+        }
+        Gate::Likeness(least) => format!("{reached:.1} dB ({least:.0})"),
+        Gate::Memory(most) => format!("{reached:.1} MiB ({most:.0})"),
     };
-    let mark = if ratio <= gate.factor { "" } else { " **missed**" };
-    Some(format!("{} of {}{unit} ({}){mark}", fraction(ratio), gate.peer, fraction(gate.factor)))
+    let mark = if row.misses(gate) { " **missed**" } else { "" };
+    Some(said + mark)
+}
+
+/// The gates of a row that are missed, as the table says it.
+pub(crate) fn missed(row: &Row, which: impl Fn(&Gate) -> bool) -> Vec<String> {
+    let gates = row.missed().into_iter().filter(|gate| which(gate));
+    gates.filter_map(|gate| Some(format!("{}: {}", row.what, verdict(row, &gate)?))).collect()
 }
 
 /// Puts a text between the markers of a file.

@@ -99,6 +99,10 @@ fn dialects_have_numbers_of_their_own() {
     assert_eq!(becomes(&[ncar, ("GKS_WSTYPE", "1")], 8, "2"), "ncgm gks.2.ncgm");
     assert_eq!(becomes(&[("GKS_DIALECT", "gr")], 101, "2"), "pdf gks.2.pdf");
     assert_eq!(becomes(&[("GKS_DIALECT", "gr")], 110, "2"), "png8 gks.2.png");
+    assert_eq!(becomes(&[("GKS_DIALECT", "gr")], 130, "a.gif"), "gif a.gif");
+    assert_eq!(becomes(&[("GKS_DIALECT", "gr"), ("GKS_WSTYPE", "cairojpg")], 411, ""), "jpeg gks.jpg");
+    assert_eq!(becomes(&[("GKS_DIALECT", "gr"), ("GKS_WSTYPE", "nul")], 140, "a.png"), "null ");
+    assert!(becomes(&[("GKS_WSTYPE", "nul")], 0, "").contains("no such workstation type"));
 }
 
 #[test]

@@ -152,8 +152,9 @@ fn find() -> Result<PathBuf, String> {
 
 /// The command in or beside the folders of the program and the library, or else in the search path.
 fn search(beside: impl Iterator<Item = PathBuf>, path: &OsStr) -> Option<PathBuf> {
-    let near =
-        beside.flat_map(|folder| [folder.join("gks"), folder.join("../bin/gks"), folder.join("../gks")]);
+    let near = beside.flat_map(|folder| {
+        ["gks", "../bin/gks", "../../bin/gks", "../gks"].map(|command| folder.join(command))
+    });
     let far = env::split_paths(path).filter(|folder| folder.is_absolute()).map(|folder| folder.join("gks"));
     near.chain(far).find(|file| file.is_file())
 }
@@ -163,7 +164,7 @@ fn library(maps: &str) -> Option<PathBuf> {
     let files = maps.lines().filter_map(|line| line.find('/').map(|at| &line[at..]));
     let is_library = |file: &&str| {
         let name = file.rsplit('/').next().unwrap_or_default();
-        name.starts_with("lib") && name.contains("gks") && name.contains(".so")
+        name.starts_with("lib") && name.to_ascii_lowercase().contains("gks") && name.contains(".so")
     };
     files.filter(is_library).map(PathBuf::from).next()
 }
@@ -179,6 +180,8 @@ mod tests {
                     7f02-7f03 rw-p 00000000 00:00 0 [heap]\n\
                     7f04-7f05 r-xp 00000000 08:01 13   /opt/my lib/libgks.so.1\n";
         assert_eq!(library(maps), Some(PathBuf::from("/opt/my lib/libgks.so.1")));
+        let gr = "7f00-7f01 r-xp 00000000 08:01 12 /opt/libGKS.so\n";
+        assert_eq!(library(gr), Some(PathBuf::from("/opt/libGKS.so")));
         assert_eq!(library("7f00-7f01 r-xp 00000000 08:01 12 /home/gks/libm.so\n"), None);
     }
 
@@ -197,5 +200,10 @@ mod tests {
             fs::write(root.join(file), "").unwrap();
             assert_eq!(find(), Some(root.join(found)));
         }
+        // Libraries of other names lie one folder deeper.
+        let apart = root.join("lib/apart");
+        fs::create_dir(&apart).unwrap();
+        fs::remove_file(root.join("lib/gks")).unwrap();
+        assert_eq!(search([apart.clone()].into_iter(), &path), Some(apart.join("../../bin/gks")));
     }
 }

@@ -64,7 +64,7 @@ pub fn measure(
         Way::Indexed => pixels(own::FRAMEBUFFER8, &*scene, effort, &file(own::PNG8)),
         Way::Document(kind) => document(kind, &*scene, effort, &file(kind)),
         Way::Redrawn => redrawn(&*scene, effort),
-        Way::Played => played(&*scene, effort, &file(own::GKSM)),
+        Way::Played(kind) => played(kind, &*scene, effort, &file(kind)),
         Way::Start(kind) => start(kind, &*scene, &file(kind)),
     }?;
     measured.n = size;
@@ -175,12 +175,28 @@ fn document(kind: i32, scene: &dyn Scene, effort: Effort, file: &Path) -> Result
     Ok(Measurement { cpu_ms: milliseconds(kernel), peak_kib, bytes, ..Measurement::default() })
 }
 
-fn redrawn(scene: &dyn Scene, effort: Effort) -> Result<Measurement, Failure> {
-    let peak = Peak::watch();
+/// A kernel with a frame buffer of colours and a segment on it; it is redrawn by the function of the standard.
+pub fn open_segment(scene: &dyn Scene) -> gks::Result<Gks> {
     let mut gks = open(own::FRAMEBUFFER, "")?;
     gks.create_segment(1)?;
     scene.draw(&mut gks)?;
     gks.close_segment()?;
+    Ok(gks)
+}
+
+/// Plays a metafile.
+pub fn play(gks: &mut Gks, file: &Path) -> Result<(), Failure> {
+    let reader = std::io::BufReader::new(fs::File::open(file)?);
+    let mut source = open_source(Box::new(reader), &ReadOptions::default())?.source;
+    while let Some(record) = source.next()? {
+        gks.interpret(&record)?;
+    }
+    Ok(())
+}
+
+fn redrawn(scene: &dyn Scene, effort: Effort) -> Result<Measurement, Failure> {
+    let peak = Peak::watch();
+    let mut gks = open_segment(scene)?;
     let mut kernel = || gks.redraw_all_segments_on_workstation(1);
     kernel()?;
     let peak_kib = peak.kib();
@@ -189,18 +205,11 @@ fn redrawn(scene: &dyn Scene, effort: Effort) -> Result<Measurement, Failure> {
     Ok(Measurement { cpu_ms: milliseconds(kernel), peak_kib, ..Measurement::default() })
 }
 
-fn played(scene: &dyn Scene, effort: Effort, file: &Path) -> Result<Measurement, Failure> {
-    let bytes = write(own::GKSM, scene, file)?;
+fn played(kind: i32, scene: &dyn Scene, effort: Effort, file: &Path) -> Result<Measurement, Failure> {
+    let bytes = write(kind, scene, file)?;
     let peak = Peak::watch();
     let mut gks = open(own::FRAMEBUFFER, "")?;
-    let mut kernel = || -> Result<(), Failure> {
-        let reader = std::io::BufReader::new(fs::File::open(file)?);
-        let mut source = open_source(Box::new(reader), &ReadOptions::default())?.source;
-        while let Some(record) = source.next()? {
-            gks.interpret(&record)?;
-        }
-        Ok(())
-    };
+    let mut kernel = || play(&mut gks, file);
     kernel()?;
     let peak_kib = peak.kib();
     let [kernel] = medians(effort.sampling(), [&mut kernel])?;

@@ -36,8 +36,8 @@ pub enum Way {
     Document(i32),
     /// Redrawing a segment on the frame buffer of colours.
     Redrawn,
-    /// Reading a metafile and drawing it on the frame buffer of colours.
-    Played,
+    /// Reading a metafile of a workstation type and drawing it on the frame buffer of colours.
+    Played(i32),
     /// A whole process that writes a file with one line.
     Start(i32),
 }
@@ -61,7 +61,7 @@ pub fn all() -> Vec<Workload> {
     // To ten million, where growth shows.
     let great = [TENTH, MILLION, 10 * MILLION];
     let small = [1_000, 10_000, TENTH];
-    let rows: [Row; 20] = [
+    let rows: [Row; 21] = [
         ("w1", "noisy polyline", Way::TrueColour, great, 1, Curve::noisy),
         ("w1a", "noisy polyline, aliased", Way::Indexed, great, 1, Curve::aliased),
         ("w1s", "smooth polyline", Way::TrueColour, great, 1, Curve::smooth),
@@ -81,7 +81,8 @@ pub fn all() -> Vec<Workload> {
         ("pattern", "polygons with a pattern", Way::TrueColour, small, 1, Areas::patterned),
         ("hatch", "polygons with a hatch", Way::TrueColour, small, 1, Areas::hatched),
         ("segment", "segment of lines, redrawn", Way::Redrawn, great, 0, Lines::antialiased),
-        ("play", "metafile of lines, played", Way::Played, great, 0, Lines::antialiased),
+        ("play", "metafile of lines, played", Way::Played(own::GKSM), great, 0, Lines::antialiased),
+        ("playcgm", "the same as CGM, binary", Way::Played(own::CGM), great, 0, Lines::antialiased),
     ];
     let mut all: Vec<Workload> = rows
         .into_iter()

@@ -1,7 +1,7 @@
 //! `gks cc` and `gks fc`: compile and link programs with the library.
 //!
 //! The library and the include files are found beside the command: in a checkout in the build folder and in
-//! `bindings/`, in an installation in `lib` and `include` next to `bin`.
+//! `bindings/`, in an installation (`gks install`) in `lib` and `include` next to `bin`.
 
 use super::Failure;
 use crate::libraries::build;

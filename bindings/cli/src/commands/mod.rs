@@ -6,6 +6,7 @@ pub mod coverage;
 pub mod demo;
 pub mod doctor;
 pub mod info;
+pub mod install;
 pub mod play;
 pub mod run;
 pub mod workstations;

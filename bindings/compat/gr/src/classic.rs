@@ -2,6 +2,7 @@
 //! with structures, and with the number of the error as their value. Inquiries give it in their last argument.
 
 use crate::argument::{Address, call, choice, outcome};
+use crate::slant::slanted;
 use crate::{absent, attribute, control, inquiry, output, transformation};
 use gks::{Function, Points};
 use gks_instance::ErrorFile;
@@ -376,7 +377,7 @@ extern "C" fn ginqtextextent(
     const F: Function = Function::InquireTextExtent;
     crate::argument::inquire(F, error, |gks| {
         let at = position.get(F)?;
-        let room = gks.inquire_text_extent(ws_id, (at.x, at.y), &text.text())?;
+        let room = slanted(gks, |gks| gks.inquire_text_extent(ws_id, (at.x, at.y), &text.text()))?;
         let point = |p: gks_geometry::Point<gks_geometry::Wc>| Gpoint { x: p.x(), y: p.y() };
         extent.set(Gextent { concat: point(room.concatenation), corners: room.corners.map(point) });
         Ok(())

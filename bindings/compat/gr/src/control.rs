@@ -1,6 +1,7 @@
 //! Control functions and segments.
 
 use crate::argument::{Address, call, call_instance, choice};
+use crate::extension;
 use gks::{Function, Gks};
 use gks_instance::ErrorFile;
 use gks_pipeline::description::{DeferralMode, RegenerationMode};
@@ -31,7 +32,10 @@ pub(crate) extern "C" fn gks_emergency_close() {
 /// OPEN WORKSTATION.
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn gks_open_ws(ws_id: c_int, connection: Address<c_char>, kind: c_int) {
-    call(Function::OpenWorkstation, |gks| gks.open_workstation(ws_id, &connection.text(), kind));
+    call(Function::OpenWorkstation, |gks| {
+        gks.open_workstation(ws_id, &connection.text(), kind)?;
+        extension::set_nominal_sizes(gks, ws_id)
+    });
 }
 
 /// CLOSE WORKSTATION.

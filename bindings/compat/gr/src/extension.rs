@@ -1,7 +1,9 @@
-//! What GR has beyond the standard and keeps beside the state list: opacity, borders, and settings that have no
-//! effect here but are given back by inquiries.
+//! What GR has beyond the standard and keeps beside the state list: opacity, borders, the slant of text, nominal sizes,
+//! and settings that have no effect here but are given back by inquiries.
 
-use crate::argument::Address;
+use crate::argument::{Address, call};
+use gks::{Function, Gks};
+use gks_pipeline::tables::NominalSize;
 use std::ffi::{c_int, c_uint};
 use std::sync::{Mutex, PoisonError};
 
@@ -19,11 +21,13 @@ pub(crate) struct State {
     pub(crate) border_colour: c_int,
     /// The linewidth scale factor of borders.
     pub(crate) border_width: f64,
-    slant: f64,
+    /// By how many degrees characters lean to the right.
+    pub(crate) slant: f64,
     clip_transformation: c_int,
     clip_region: c_int,
     clip_sector: (f64, f64),
     resample_method: c_uint,
+    /// A factor for nominal sizes; 0 for those that all devices have.
     nominal_size: f64,
     encoding: c_int,
 }
@@ -39,7 +43,7 @@ impl State {
         clip_region: 0,
         clip_sector: (0.0, 360.0),
         resample_method: 0,
-        nominal_size: 1.0,
+        nominal_size: 0.0,
         encoding: 301,
     };
 }
@@ -72,7 +76,7 @@ macro_rules! settings {
 settings! {
     gks_set_border_color_index, gks_inq_border_color_index(c_int) border_colour: "the colour index of borders";
     gks_set_border_width, gks_inq_border_width(f64) border_width: "the linewidth scale factor of borders";
-    gks_set_text_slant, gks_inq_text_slant(f64) slant: "the slant of text, in degrees, which is not drawn";
+    gks_set_text_slant, gks_inq_text_slant(f64) slant: "by how many degrees characters lean to the right";
     gks_select_clip_xform, gks_inq_clip_xform(c_int) clip_transformation:
         "the normalization transformation that clips, which has no effect: the current one does";
     gks_set_clip_region, gks_inq_clip_region(c_int) clip_region:
@@ -108,7 +112,8 @@ extern "C" fn gks_inq_clip_sector(error: Address<c_int>, start: Address<f64>, en
     end.set(sector.1);
 }
 
-/// Sets how images are resampled, which has no effect: a pixel takes the colour of the cell at its centre.
+/// Sets how images are resampled, which has no effect: cells are areas of one colour on every device, so a pixel takes
+/// the colour of the cell at its centre, as with GR's default.
 #[unsafe(no_mangle)]
 extern "C" fn gks_set_resample_method(method: c_uint) {
     with(|state| state.resample_method = method);
@@ -120,10 +125,28 @@ extern "C" fn gks_inq_resample_method(method: Address<c_uint>) {
     method.set(with(|state| state.resample_method));
 }
 
-/// Sets the factor of nominal sizes, which has no effect: they follow the display surface.
+/// Sets a factor for the nominal linewidth and marker size of all workstations, those that are opened later too; 0 is none.
 #[unsafe(no_mangle)]
 extern "C" fn gks_set_nominal_size(factor: f64) {
-    with(|state| state.nominal_size = factor);
+    call(Function::Escape, |gks| {
+        with(|state| state.nominal_size = factor);
+        let open: Vec<c_int> = gks.inquire_set_of_open_workstations()?.collect();
+        open.into_iter().try_for_each(|id| set_nominal_sizes(gks, id))
+    });
+}
+
+/// Gives a workstation its nominal sizes, if it draws.
+pub(crate) fn set_nominal_sizes(gks: &mut Gks, id: c_int) -> gks::Result<()> {
+    let factor = with(|state| state.nominal_size);
+    let factor = if factor > 0.0 { factor } else { 1.0 };
+    for size in [NominalSize::Linewidth, NominalSize::MarkerSize] {
+        match gks.set_nominal_size(id, size, factor) {
+            // Metafile input, segment storage, input alone.
+            Err(error) if matches!(error.number, 33 | 35 | 36) => {}
+            done => done?,
+        }
+    }
+    Ok(())
 }
 
 /// Inquires the factor of nominal sizes.

@@ -1,7 +1,8 @@
 //! GENERALIZED DRAWING PRIMITIVE: the primitives of GR, and those of this library.
 
 use crate::argument::{Address, call};
-use crate::image::indices;
+use crate::extension;
+use crate::image::packed;
 use crate::output::{border, translucent};
 use crate::path::{Part, parts};
 use gks::{DataRecord, Function, Gks, Points};
@@ -86,6 +87,11 @@ fn draw(points: &DVec2s, primitive: c_int, record: &[c_int]) {
     });
 }
 
+/// The index of a colour of its own, as opaque as what is drawn now.
+fn own(colour: c_int) -> c_int {
+    packed(colour, extension::with(|state| state.opacity))
+}
+
 fn tuples(points: &[DVec2]) -> Vec<(f64, f64)> {
     points.iter().map(|p| (p.x, p.y)).collect()
 }
@@ -122,14 +128,12 @@ fn draw_part(gks: &mut Gks, part: &Part) -> gks::Result<()> {
 /// Lines with a width, in thousandths, and a colour for each.
 fn lines(gks: &mut Gks, points: &DVec2s, record: &[c_int]) -> gks::Result<()> {
     let attributes = record.as_chunks::<2>().0;
-    let colours: Vec<c_int> = attributes.iter().map(|&[_, colour]| colour).collect();
-    let colours = indices(gks, &colours)?;
     let old = (gks.inquire_polyline_colour_index()?, gks.inquire_linewidth_scale_factor()?);
     let mut drawn = Ok(());
-    for ((pair, &[width, _]), &colour) in points.0.windows(2).zip(attributes).zip(&colours) {
+    for (pair, &[width, colour]) in points.0.windows(2).zip(attributes) {
         gks.set_linewidth_scale_factor(f64::from(width.max(0)) / 1000.0)?;
-        gks.set_polyline_colour_index(colour)?;
-        drawn = translucent(gks, Some(colour), |gks| gks.polyline(Points::Tuples(&tuples(pair))));
+        gks.set_polyline_colour_index(own(colour))?;
+        drawn = gks.polyline(Points::Tuples(&tuples(pair)));
         if drawn.is_err() {
             break;
         }
@@ -142,14 +146,12 @@ fn lines(gks: &mut Gks, points: &DVec2s, record: &[c_int]) -> gks::Result<()> {
 /// Markers with a size, in thousandths, and a colour for each.
 fn markers(gks: &mut Gks, points: &DVec2s, record: &[c_int]) -> gks::Result<()> {
     let attributes = record.as_chunks::<2>().0;
-    let colours: Vec<c_int> = attributes.iter().map(|&[_, colour]| colour).collect();
-    let colours = indices(gks, &colours)?;
     let old = (gks.inquire_polymarker_colour_index()?, gks.inquire_marker_size_scale_factor()?);
     let mut drawn = Ok(());
-    for ((point, &[size, _]), &colour) in points.0.iter().zip(attributes).zip(&colours) {
+    for (point, &[size, colour]) in points.0.iter().zip(attributes) {
         gks.set_marker_size_scale_factor(f64::from(size.max(0)) / 1000.0)?;
-        gks.set_polymarker_colour_index(colour)?;
-        drawn = translucent(gks, Some(colour), |gks| gks.polymarker(Points::Tuples(&[(point.x, point.y)])));
+        gks.set_polymarker_colour_index(own(colour))?;
+        drawn = gks.polymarker(Points::Tuples(&[(point.x, point.y)]));
         if drawn.is_err() {
             break;
         }
@@ -162,15 +164,13 @@ fn markers(gks: &mut Gks, points: &DVec2s, record: &[c_int]) -> gks::Result<()> 
 /// The edges of triangles: the numbers of three points and a colour for each.
 fn triangles(gks: &mut Gks, points: &DVec2s, record: &[c_int]) -> gks::Result<()> {
     let triangles = record.as_chunks::<4>().0;
-    let colours: Vec<c_int> = triangles.iter().map(|&[.., colour]| colour).collect();
-    let colours = indices(gks, &colours)?;
     let old = gks.inquire_polyline_colour_index()?;
     let mut drawn = Ok(());
-    for (&[a, b, c, _], &colour) in triangles.iter().zip(&colours) {
+    for &[a, b, c, colour] in triangles {
         let corners: Option<Vec<DVec2>> = [a, b, c, a].into_iter().map(|n| points.numbered(n)).collect();
         let Some(corners) = corners else { continue };
-        gks.set_polyline_colour_index(colour)?;
-        drawn = translucent(gks, Some(colour), |gks| gks.polyline(Points::Tuples(&tuples(&corners))));
+        gks.set_polyline_colour_index(own(colour))?;
+        drawn = gks.polyline(Points::Tuples(&tuples(&corners)));
         if drawn.is_err() {
             break;
         }
@@ -181,20 +181,17 @@ fn triangles(gks: &mut Gks, points: &DVec2s, record: &[c_int]) -> gks::Result<()
 
 /// Polygons with their edges: how many points, their numbers and a colour for each. The opacity in the colour is not used.
 fn polygons(gks: &mut Gks, points: &DVec2s, mut record: &[c_int]) -> gks::Result<()> {
-    let (mut outlines, mut colours) = (Vec::new(), Vec::new());
     while let [length, rest @ ..] = record {
         let length = usize::try_from(*length).unwrap_or(usize::MAX);
-        let Some((numbers, [colour, after @ ..])) = rest.split_at_checked(length) else { break };
-        let corners: Vec<DVec2> = numbers.iter().filter_map(|&n| points.numbered(n)).collect();
-        outlines.push(tuples(&corners));
-        colours.push(*colour);
+        let Some((numbers, &[colour, ref after @ ..])) = rest.split_at_checked(length) else { break };
         record = after;
-    }
-    let colours = indices(gks, &colours)?;
-    for (mut outline, colour) in outlines.into_iter().zip(colours).filter(|(outline, _)| outline.len() > 2) {
-        fill(gks, &outline, Some(colour))?;
-        outline.extend(outline.first().copied());
-        border(gks, &outline)?;
+        let corners: Vec<DVec2> = numbers.iter().filter_map(|&n| points.numbered(n)).collect();
+        if corners.len() > 2 {
+            let mut outline = tuples(&corners);
+            fill(gks, &outline, Some(own(colour)))?;
+            outline.extend(outline.first().copied());
+            border(gks, &outline)?;
+        }
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! Inquiries.
 
 use crate::argument::{Address, inquire, integer};
+use crate::slant::slanted;
 use gks::{Function, Gks};
 use std::ffi::{c_char, c_int};
 
@@ -215,7 +216,7 @@ pub(crate) extern "C" fn gks_inq_text_extent(
     corners_y: Address<f64>,
 ) {
     inquire(Function::InquireTextExtent, error, |gks| {
-        let room = gks.inquire_text_extent(ws_id, (x, y), &text.text())?;
+        let room = slanted(gks, |gks| gks.inquire_text_extent(ws_id, (x, y), &text.text()))?;
         next_x.set(room.concatenation.x());
         next_y.set(room.concatenation.y());
         corners_x.set_all(room.corners.map(gks_geometry::Point::x));

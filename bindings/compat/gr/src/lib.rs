@@ -28,6 +28,7 @@ mod inquiry;
 mod output;
 mod path;
 mod private;
+mod slant;
 mod transformation;
 
 // The Fortran binding is part of the library: its functions are exported by their own names.

@@ -2,21 +2,25 @@
 
 use crate::argument::{Address, call};
 use crate::extension;
+use crate::slant::slanted;
 use gks::{Function, Gks, Points};
+use gks_pipeline::colour::Colour;
 use std::ffi::{c_char, c_int};
 
 fn points<'a>(count: c_int, x: Address<f64>, y: Address<f64>) -> Points<'a> {
     Points::Split(x.array(count), y.array(count))
 }
 
-/// Draws with the current opacity: the colour index has it while the primitive is drawn.
+/// Draws with the current opacity: the colour index has it while the primitive is drawn, unless it holds a colour of its
+/// own with an opacity.
 pub(crate) fn translucent(
     gks: &mut Gks,
     index: Option<c_int>,
     draw: impl FnOnce(&mut Gks) -> gks::Result<()>,
 ) -> gks::Result<()> {
     let opacity = extension::with(|state| state.opacity);
-    let Some(index) = index else { return draw(gks) };
+    let in_table = |&index: &c_int| Colour::of_packed_index(index as u32).is_none();
+    let Some(index) = index.filter(in_table) else { return draw(gks) };
     if opacity >= 1.0 {
         return draw(gks);
     }
@@ -64,7 +68,8 @@ pub(crate) fn polymarker(points: Points<'_>) {
 pub(crate) extern "C" fn gks_text(x: f64, y: f64, text: Address<c_char>) {
     call(Function::Text, |gks| {
         let index = gks.inquire_text_colour_index();
-        translucent(gks, index.ok(), |gks| gks.text((x, y), &text.text()))
+        let draw = |gks: &mut Gks| slanted(gks, |gks| gks.text((x, y), &text.text()));
+        translucent(gks, index.ok(), draw)
     });
 }
 
