@@ -4,7 +4,7 @@ use super::Interpreter;
 use super::context::Context;
 use super::mapping::Mapping;
 use crate::cgm::decoder::Decoder;
-use crate::cgm::element::{Element, MOST_CELLS, Value};
+use crate::cgm::element::{Element, Value};
 use crate::generated::elements::Kind;
 use gks_geometry::{Ndc, Rect};
 use glam::{DAffine2, DMat2};
@@ -13,6 +13,9 @@ use std::sync::Arc;
 
 /// The most elements that segments keep, and that copying gives, in one metafile; 256 cells count like one when copied.
 const MOST_ELEMENTS: usize = 1 << 20;
+
+/// The most cells in elements that segments keep: 8 MiB of them, which a copy holds three times.
+const MOST_CELLS: usize = 1 << 21;
 
 /// The most copies inside of copies.
 const DEEPEST: usize = 16;
