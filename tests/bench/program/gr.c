@@ -5,14 +5,13 @@
 
 void gks_open_gks(int), gks_close_gks(void), gks_open_ws(int, char *, int), gks_close_ws(int), gks_activate_ws(int),
     gks_deactivate_ws(int), gks_update_ws(int, int), gks_set_ws_viewport(int, double, double, double, double),
-    gks_set_window(int, double, double, double, double), gks_select_xform(int),
+    gks_set_window(int, double, double, double, double), gks_select_xform(int), gks_set_asf(int *),
     gks_set_color_rep(int, int, double, double, double), gks_set_pline_linetype(int), gks_set_pline_linewidth(double),
     gks_set_pmark_type(int), gks_set_pmark_size(double), gks_set_fill_int_style(int), gks_set_fill_color_index(int),
-    gks_set_text_fontprec(int, int), gks_set_border_width(double), gks_set_text_height(double),
-    gks_polyline(int, const double *, const double *),
-    gks_polymarker(int, const double *, const double *), gks_fillarea(int, const double *, const double *),
-    gks_cellarray(double, double, double, double, int, int, int, int, int, int, const int *),
-    gks_text(double, double, const char *);
+    gks_set_text_fontprec(int, int), gks_set_text_height(double), gks_set_border_width(double),
+    gks_polyline(int, const double *, const double *), gks_polymarker(int, const double *, const double *),
+    gks_fillarea(int, const double *, const double *), gks_text(double, double, const char *),
+    gks_cellarray(double, double, double, double, int, int, int, int, int, int, const int *);
 
 /* The side of a page of SIDE pixels or points, in metres: GR has pixels of 600 dpi, in SVG others. */
 #define PIXELS (SIDE * 0.0254 / 600 + 1e-6)
@@ -47,6 +46,10 @@ int open_library(const char *device, const char *file)
         colour_of(index, rgb);
         gks_set_color_rep(1, index, rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
     }
+    int individual[13];
+    for (int aspect = 0; aspect < 13; aspect++)
+        individual[aspect] = 1;
+    gks_set_asf(individual);
     gks_set_fill_int_style(1);
     gks_set_text_fontprec(1, 2);
     gks_set_text_height(0.02);

@@ -56,8 +56,7 @@ fn grows(workload: &Workload) -> bool {
 impl Growth {
     /// Measures, prints a table, and gives what is missed.
     pub(crate) fn run(&self) -> Result<Vec<String>, Failure> {
-        let asked =
-            |w: &Workload| self.workloads.is_empty() || self.workloads.iter().any(|name| *name == w.name);
+        let asked = |w: &Workload| self.workloads.is_empty() || self.workloads.contains(&w.name);
         let chosen: Vec<Workload> = workload::all().into_iter().filter(|w| grows(w) && asked(w)).collect();
         if let Some(name) = self.workloads.iter().find(|name| chosen.iter().all(|w| w.name != **name)) {
             return Err(format!("{name} does not come in the sizes {} and {}", SIZES[0], SIZES[1]).into());
