@@ -38,7 +38,7 @@ pub fn play(file: &Path, image: &Path, surface: &str) -> Result<Format, String> 
             match source.next() {
                 Ok(None) => break,
                 Ok(Some(record)) => {
-                    faults.extend(gks.interpret(&record).err().map(|error| error.to_string()))
+                    faults.extend(gks.interpret(&record).err().map(|error| error.to_string()));
                 }
                 Err(error) => faults.push(error.to_string()),
             }

@@ -218,6 +218,20 @@ mod tests {
     }
 
     #[test]
+    fn a_chain_of_huge_pieces_gets_fewer_chords_for_each() {
+        let piece = [DVec2::new(1e6, 1e6), DVec2::new(-1e6, 1e6), DVec2::ZERO];
+        let control: Vec<DVec2> = std::iter::once(DVec2::ZERO).chain(piece.repeat(200)).collect();
+        let count = |pieces: usize| {
+            let mut points = Vec::new();
+            chain(&control[..=3 * pieces], 1e-6, &mut points);
+            points.len() - 1
+        };
+        assert_eq!(count(1), MOST_CHORDS as usize);
+        let most = MOST_OF_A_CHAIN as usize;
+        assert!((most - most / 100..=most + 200).contains(&count(200)), "{}", count(200));
+    }
+
+    #[test]
     fn a_chain_runs_on_and_drops_the_rest() {
         let control: Vec<DVec2> = (0..9).map(|i| DVec2::splat(f64::from(i))).collect();
         let mut points = vec![];
