@@ -17,6 +17,7 @@ use gks_pipeline::look::Join;
 use glam::{DVec2, IVec2};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::convert::Infallible;
+use std::ops::Range;
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 /// How far vertices that are left out may be from the line drawn, in pixels: the distance of samples.
@@ -83,8 +84,9 @@ impl Lines {
         }
         self.nib.stroke.begin(width, pen.cap, pen.join);
         let window = self.window(paths, raster);
-        self.fill(bitmap, window, &ink, |nib| {
+        self.fill(bitmap, window, &ink, |nib, rows| {
             nib.stroke.begin(width, pen.cap, pen.join);
+            nib.stroke.keep_to(rows);
             nib.follow(paths, columns);
         });
     }
@@ -98,14 +100,21 @@ impl Lines {
         }
         let (width, ink) = visible(pen);
         let (columns, rows) = bitmap.size();
-        self.fill(bitmap, IRect::of_size(columns as i32, rows as i32), &ink, |nib| {
+        self.fill(bitmap, IRect::of_size(columns as i32, rows as i32), &ink, |nib, rows| {
             nib.stroke.begin(width, pen.cap, pen.join);
+            nib.stroke.keep_to(rows);
             nib.follow_long(line, columns);
         });
     }
 
-    /// Puts ink over the samples that `follow` adds. Threads share the storage that one would have.
-    fn fill(&mut self, bitmap: &mut Bitmap, window: IRect, ink: &Ink, follow: impl Fn(&mut Nib) + Sync) {
+    /// Puts ink over the samples that `follow` adds in some rows. Threads share the storage that one would have.
+    fn fill(
+        &mut self,
+        bitmap: &mut Bitmap,
+        window: IRect,
+        ink: &Ink,
+        follow: impl Fn(&mut Nib, &Range<usize>) + Sync,
+    ) {
         if window.is_empty() {
             return;
         }
@@ -121,7 +130,7 @@ impl Lines {
             while let Some(mut band) = next() {
                 let rows = band.rows();
                 nib.mask.begin(IRect::new(corner(window.min.x, rows.start), corner(window.max.x, rows.end)));
-                follow(nib);
+                follow(nib, &rows);
                 nib.mask.drain(|row, column, words| {
                     let columns = column as usize..column as usize + words.len();
                     ink.over_all(band.span(row as usize, columns), words);
