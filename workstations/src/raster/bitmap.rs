@@ -84,6 +84,14 @@ impl Bitmap {
         &mut self.pixels[start + column..start + self.width]
     }
 
+    /// Some of the rows in bands of a height, from the top.
+    pub(super) fn bands(&mut self, rows: Range<usize>, height: usize) -> impl Iterator<Item = Band<'_>> {
+        let width = self.width;
+        let tops = rows.clone().step_by(height);
+        let bands = self.pixels[rows.start * width..rows.end * width].chunks_mut(height * width);
+        tops.zip(bands).map(move |(top, pixels)| Band { top, width, pixels })
+    }
+
     /// The bytes of all pixels.
     pub(super) fn bytes(&self) -> &[u8] {
         self.pixels.as_flattened()
@@ -92,5 +100,26 @@ impl Bitmap {
     /// The bytes of all colours, not premultiplied by their opacity.
     pub(super) fn demultiplied(&self) -> Vec<u8> {
         self.pixels.iter().flat_map(|&pixel| demultiplied(pixel)).collect()
+    }
+}
+
+/// Neighbouring rows of a bitmap.
+pub(super) struct Band<'a> {
+    top: usize,
+    width: usize,
+    pixels: &'a mut [Pixel],
+}
+
+impl Band<'_> {
+    /// Its rows, as the bitmap counts them.
+    pub(super) fn rows(&self) -> Range<usize> {
+        self.top..self.top + self.pixels.len() / self.width
+    }
+
+    /// The pixels of some columns of a row.
+    #[inline]
+    pub(super) fn span(&mut self, row: usize, columns: Range<usize>) -> &mut [Pixel] {
+        let start = (row - self.top) * self.width;
+        &mut self.pixels[start + columns.start..start + columns.end]
     }
 }

@@ -5,6 +5,7 @@
 use gks_pipeline::look::{Cap, Join};
 use glam::DVec2;
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// The largest deviation of the polygon that stands for a disc, in pixels.
 const TOLERANCE: f64 = 0.05;
@@ -44,6 +45,10 @@ pub(super) struct Stroke {
     along: DVec2,
     /// The number of points, neighbours that are equal counted once.
     count: usize,
+    /// From where to where the polygons matter that points at such heights have.
+    rows: (f64, f64),
+    /// The point before the last one, if the segment between them was left out and its direction is not known.
+    before: Option<DVec2>,
 }
 
 impl Stroke {
@@ -63,6 +68,8 @@ impl Stroke {
             last: zero,
             along: zero,
             count: 0,
+            rows: (f64::NEG_INFINITY, f64::INFINITY),
+            before: None,
         }
     }
 
@@ -79,6 +86,13 @@ impl Stroke {
                 .extend((0..corners as u32).map(|i| DVec2::from_angle(TAU * f64::from(i) / corners) * half));
         }
         (self.half, self.cap, self.join, self.count) = (half, cap, join, 0);
+        self.rows = (f64::NEG_INFINITY, f64::INFINITY);
+    }
+
+    /// Leaves out most of what lies above or below some rows, and nothing within them.
+    pub(super) fn keep_to(&mut self, rows: &Range<usize>) {
+        let reach = self.reach() + 1.0;
+        self.rows = (rows.start as f64 - reach, rows.end as f64 + reach);
     }
 
     /// Changes how corners are joined and gives what it was.
@@ -111,6 +125,12 @@ impl Stroke {
             (self.first, self.last, self.count) = (p, p, 1);
             return;
         }
+        if self.count > 1 && (p.y.max(self.last.y) < self.rows.0 || p.y.min(self.last.y) > self.rows.1) {
+            (self.before, self.last) = (Some(self.last), p);
+            self.count += 1;
+            return;
+        }
+        self.know_direction();
         let along = (p - self.last).normalize_or_zero();
         let side = along.perp() * self.half;
         let mut from = self.last;
@@ -130,9 +150,18 @@ impl Stroke {
         self.count += 1;
     }
 
+    /// Finds the direction of the last segment if it was left out.
+    #[inline]
+    fn know_direction(&mut self) {
+        if let Some(before) = self.before.take() {
+            self.along = (self.last - before).normalize_or_zero();
+        }
+    }
+
     /// Ends a path: a path of one point is a dot, and a path of three segments or more that comes back to its start is
     /// closed.
     pub(super) fn end(&mut self, polygon: &mut impl FnMut(&[DVec2])) {
+        self.know_direction();
         let count = std::mem::take(&mut self.count);
         let half = DVec2::splat(self.half);
         match count {
@@ -213,6 +242,7 @@ mod tests {
     use gks_algorithms::fill::EdgeTable;
     use gks_algorithms::path::Rule;
     use gks_algorithms::rect::IRect;
+    use glam::IVec2;
 
     fn polygons(path: &[(f64, f64)], width: f64, cap: Cap, join: Join, mut polygon: impl FnMut(&[DVec2])) {
         let mut stroke = Stroke::new();
@@ -244,6 +274,39 @@ mod tests {
         assert!((settled(DVec2::splat(0.3)).x - 0.3).abs() <= 0.5 / 4096.0);
         let far = DVec2::new(1e300, 0.1);
         assert_eq!(settled(far), far);
+    }
+
+    #[test]
+    fn nothing_is_left_out_of_the_rows_kept() {
+        let point =
+            |i: u32| DVec2::new(f64::from(i * 37 % 101) * 0.6, f64::from(i * 7919 % 127) * 2.3 - 120.0);
+        let path: Vec<DVec2> =
+            (0..400).map(point).chain((0..30).map(|i| DVec2::new(f64::from(i), 55.0))).collect();
+        for (cap, join) in
+            [(Cap::Round, Join::Round), (Cap::Projecting, Join::Miter), (Cap::Butt, Join::Bevel)]
+        {
+            let drawn = |rows: &Range<usize>, keep: bool| {
+                let (mut stroke, mut mask, mut count) = (Stroke::new(), SampleMask::new(), 0);
+                mask.begin(IRect::new(IVec2::new(0, rows.start as i32), IVec2::new(60, rows.end as i32)));
+                stroke.begin(3.0, cap, join);
+                if keep {
+                    stroke.keep_to(rows);
+                }
+                let mut polygon = |ring: &[DVec2]| {
+                    count += 1;
+                    mask.polygon(ring);
+                };
+                path.iter().for_each(|&p| stroke.to(p, &mut polygon));
+                stroke.end(&mut polygon);
+                let mut words = Vec::new();
+                mask.drain(|row, column, given| words.push((row, column, given.to_vec())));
+                (words, count)
+            };
+            for rows in [0..4, 8..9, 40..60] {
+                let ((all, many), (kept, few)) = (drawn(&rows, false), drawn(&rows, true));
+                assert!(all == kept && few < many, "{rows:?} {cap:?}: {few} of {many} polygons");
+            }
+        }
     }
 
     #[test]

@@ -20,6 +20,9 @@ const FARTHEST: f64 = (1 << 26) as f64;
 ///
 /// Byte *j* of a word is sample row *j* of a pixel from the top, its bit *i* sample *i* of that row from the left. All
 /// words are zero between two shapes, so that the storage serves windows of any size; keep the value to save allocating.
+///
+/// Which samples of a row a polygon has does not depend on where the window begins or ends below row 0: a raster may be
+/// drawn in bands.
 #[derive(Debug, Default)]
 pub struct SampleMask {
     window: IRect,
@@ -39,6 +42,8 @@ struct Chain<'a> {
     /// Where the edge meets the sample row, half a sample to the right, in fixed point samples.
     x: i64,
     slope: i64,
+    /// The first sample row in which the edge is followed; it may lie above the window.
+    begin: i32,
     /// The first sample row that the edge does not meet any more.
     end: i32,
 }
@@ -50,9 +55,17 @@ fn sample_row(y: f64) -> i32 {
 }
 
 impl Chain<'_> {
+    /// Where the edge meets a sample row, if `x` is where it meets another.
+    #[inline]
+    fn meets(&self, row: i32, other: i32) -> i64 {
+        self.x.wrapping_add(self.slope.wrapping_mul(i64::from(row) - i64::from(other)))
+    }
+
     /// Goes on to the edge that meets a sample row; false if there is none.
     #[inline]
     fn reach(&mut self, row: i32, corner: DVec2) -> bool {
+        // Edges are followed from where they begin, but not from above row 0.
+        let first = corner.y.min(0.0);
         let count = self.ring.len();
         for _ in 0..count {
             let next = match self.forward {
@@ -66,10 +79,13 @@ impl Chain<'_> {
             self.end = sample_row((b.y - corner.y) * SIDE);
             if self.end > row {
                 let slope = (b.x - a.x) / (b.y - a.y);
-                let y = (f64::from(row) + 0.5) / SIDE + corner.y;
+                let above = ((corner.y - first) * SIDE) as i32;
+                self.begin = sample_row((a.y.max(first) - first) * SIDE) - above;
+                let y = (f64::from(self.begin) + 0.5) / SIDE + corner.y;
                 let x = (a.x + (y - a.y) * slope).max(a.x.min(b.x)).min(a.x.max(b.x));
-                self.x = (((x - corner.x) * SIDE + 0.5) * ONE) as i64;
                 self.slope = (slope * ONE) as i64;
+                self.x = (((x - corner.x) * SIDE + 0.5) * ONE) as i64;
+                self.x = self.meets(row, self.begin);
                 return true;
             }
         }
@@ -128,21 +144,21 @@ impl SampleMask {
             return;
         }
         if low.min_element() < -FARTHEST || high.max_element() > FARTHEST {
-            return self.far(ring, min, max);
+            return self.far(ring);
         }
         let height = (self.spans.len() * SIDE as usize) as i32;
         let mut row = sample_row(((low.y - min.y) * SIDE).max(0.0));
         let last = sample_row((high.y - min.y) * SIDE).min(height);
-        let chain = |forward| Chain { ring, at: top, forward, x: 0, slope: 0, end: row };
+        let chain = |forward| Chain { ring, at: top, forward, x: 0, slope: 0, begin: row, end: row };
         let (mut a, mut b) = (chain(true), chain(false));
         while row < last {
             if a.end <= row && !a.reach(row, min) || b.end <= row && !b.reach(row, min) {
                 break;
             }
-            let to = a.end.min(b.end).min(last);
-            // They may meet in the first or in the last row, but not in both.
-            let steps = i64::from(to - row - 1);
-            let both_ends = |c: &Chain<'_>| (c.x >> 1) + (c.x.wrapping_add(c.slope.wrapping_mul(steps)) >> 1);
+            let (from, end) = (a.begin.max(b.begin), a.end.min(b.end));
+            let to = end.min(last);
+            // They may meet in the first or in the last row that they share, but not in both.
+            let both_ends = |c: &Chain<'_>| (c.meets(from, row) >> 1) + (c.meets(end - 1, row) >> 1);
             if both_ends(&a) <= both_ends(&b) {
                 self.trapezoid(row, to, (&mut a.x, a.slope), (&mut b.x, b.slope));
             } else {
@@ -167,11 +183,12 @@ impl SampleMask {
         self.rows = (self.rows.0.min(row), self.rows.1.max(row + 1));
     }
 
-    /// Adds a polygon some of whose vertices are far away, after it is cut at a frame around the window.
+    /// Adds a polygon some of whose vertices are far away, after what is far is cut off.
     #[cold]
-    fn far(&mut self, ring: &[DVec2], min: DVec2, max: DVec2) {
+    fn far(&mut self, ring: &[DVec2]) {
         let (mut points, mut ends) = (Vec::new(), Vec::new());
-        crate::clip::sutherland_hodgman((min - 1.0, max + 1.0), ring, &mut points, &mut ends);
+        let near = (DVec2::splat(-FARTHEST), DVec2::splat(FARTHEST));
+        crate::clip::sutherland_hodgman(near, ring, &mut points, &mut ends);
         for ring in crate::path::subpaths(&points, &ends) {
             self.polygon(ring);
         }
@@ -260,6 +277,7 @@ mod tests {
     use crate::path::Rule;
     use crate::polygon::contains;
     use crate::xorshift::Xorshift;
+    use glam::IVec2;
     use std::collections::BTreeMap;
 
     /// The words of a mask that are not zero, by column and row.
@@ -326,6 +344,32 @@ mod tests {
                     let inside = contains(&polygon, &[polygon.len() as u32], Rule::NonZero, sample);
                     assert_eq!(word >> bit & 1 == 1, inside, "{polygon:?} {sample}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn a_polygon_has_the_same_samples_in_bands() {
+        let mut random = Xorshift::new(42);
+        let mut mask = SampleMask::new();
+        for round in 0..2000 {
+            // Many edges of corners on samples lead through other samples.
+            let reach = if round % 4 == 0 { FARTHEST * 1e3 } else { 40.0 };
+            let grid = |p: DVec2| ((p * 16.0).round() + 1.0) / 16.0;
+            let corner = |p: DVec2| if round % 4 == 1 { p } else { grid(p) };
+            let polygon: Vec<DVec2> = (0..3).map(|_| corner(random.point(-reach, reach) + 10.0)).collect();
+            let mut bands = |height: i32| {
+                let mut found = BTreeMap::new();
+                for top in (0..24).step_by(height as usize) {
+                    mask.begin(IRect::new(IVec2::new(1, top), IVec2::new(21, top + height)));
+                    mask.polygon(&polygon);
+                    found.append(&mut words(&mut mask));
+                }
+                found
+            };
+            let whole = bands(24);
+            for height in [1, 3, 8] {
+                assert!(whole == bands(height), "{round}: {polygon:?} in bands of {height}");
             }
         }
     }
