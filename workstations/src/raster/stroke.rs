@@ -281,7 +281,7 @@ mod tests {
         let point =
             |i: u32| DVec2::new(f64::from(i * 37 % 101) * 0.6, f64::from(i * 7919 % 127) * 2.3 - 120.0);
         let path: Vec<DVec2> =
-            (0..400).map(point).chain((0..30).map(|i| DVec2::new(f64::from(i), 55.0))).collect();
+            (0..400).map(point).chain((0..30).map(|i| DVec2::new(f64::from(i), 4.8))).collect();
         for (cap, join) in
             [(Cap::Round, Join::Round), (Cap::Projecting, Join::Miter), (Cap::Butt, Join::Bevel)]
         {
