@@ -18,7 +18,7 @@ use glam::{DVec2, IVec2};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::convert::Infallible;
 use std::ops::Range;
-use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// How far vertices that are left out may be from the line drawn, in pixels: the distance of samples.
 const TOLERANCE: f64 = 0.125;
@@ -32,13 +32,27 @@ const BAND: usize = 1 << 21;
 /// The most threads that draw one line: each of them follows it as often as one would alone.
 const THREADS: usize = 8;
 
-/// The threads of all devices, or none where there can be none.
+/// The number of a process and the threads of all its devices, if there can be any.
 ///
 /// No one else's: a program that waits for a device in all threads of its own pool would wait for ever if the device waited
 /// for one of them.
-static POOL: LazyLock<Option<Arc<ThreadPool>>> = LazyLock::new(|| {
-    ThreadPoolBuilder::new().thread_name(|i| format!("raster {i}")).build().map(Arc::new).ok()
-});
+static POOL: Mutex<Option<(u32, Option<Arc<ThreadPool>>)>> = Mutex::new(None);
+
+/// The threads of all devices of this process, or none where there can be none.
+fn common_pool() -> Option<Arc<ThreadPool>> {
+    let mut common = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    let process = std::process::id();
+    if let Some((owner, pool)) = &*common
+        && *owner == process
+    {
+        return pool.clone();
+    }
+    let build = || ThreadPoolBuilder::new().thread_name(|i| format!("raster {i}")).build();
+    let pool = build().map(Arc::new).ok();
+    // The threads of a process that has forked are not in its child, which would wait for them when it gives up their pool.
+    std::mem::forget(common.replace((process, pool.clone())));
+    pool
+}
 
 /// The width and the ink that a line is drawn with: as wide as a pixel at least, and fainter if it is meant to be thinner
 /// than half of that, so that it looks alike at any place.
@@ -156,7 +170,7 @@ impl Lines {
         if rayon::current_thread_index().is_some() {
             return None;
         }
-        self.pool.clone().or_else(|| POOL.clone())
+        self.pool.clone().or_else(common_pool)
     }
 
     /// A place for pixels that are to be drawn once, however often they are named.
