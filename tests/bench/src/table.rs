@@ -102,8 +102,11 @@ fn verdict(row: &Row, gate: &Gate) -> Option<String> {
     Some(said + mark)
 }
 
-/// The gates of a row that are missed, as the table says it.
+/// The gates of a row that are missed, as the table says it; a row that this library does not draw misses all of them.
 pub(crate) fn missed(row: &Row, which: impl Fn(&Gate) -> bool) -> Vec<String> {
+    if row.cell(OURS).and_then(Cell::cost).is_none() {
+        return vec![format!("{}: not drawn", row.what)];
+    }
     let gates = row.missed().into_iter().filter(|gate| which(gate));
     gates.filter_map(|gate| Some(format!("{}: {}", row.what, verdict(row, &gate)?))).collect()
 }

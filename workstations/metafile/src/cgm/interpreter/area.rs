@@ -94,18 +94,7 @@ impl<D: Decoder> Interpreter<D> {
 
     fn draw_area(&mut self, outline: Outline, look: Look) {
         let mapping = self.mapping();
-        let drawing = match outline {
-            Outline::Lines(rings) => {
-                let mut mapped = PathBuf::new();
-                mapped.add_mapped(rings.as_paths(), &mapping.map);
-                Drawing::Area(mapped)
-            }
-            Outline::Ellipse(ellipse) => Drawing::Ellipse(ellipse.mapped(&mapping.map), Role::Area),
-            Outline::Bezier(points) => {
-                Drawing::Bezier(points.into_iter().map(|p| mapping.point(p)).collect(), Role::Area)
-            }
-        };
-        self.draw(drawing, look);
+        self.draw(outline.drawing(Role::Area, &mapping), look);
     }
 
     /// Fills an ellipse or a closed part of one, and draws its edge.

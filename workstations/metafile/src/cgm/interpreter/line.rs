@@ -1,6 +1,7 @@
 //! Lines and markers.
 
 use super::context::Line;
+use super::mapping::Mapping;
 use super::{Drawing, Interpreter};
 use crate::cgm::MOST_LINES;
 use crate::cgm::coding::SizeMode;
@@ -56,6 +57,24 @@ impl Outline {
         let mut paths = PathBuf::new();
         paths.add(points);
         Outline::Lines(paths)
+    }
+
+    /// What the outline is drawn as, in NDC.
+    pub(super) fn drawing(self, role: Role, mapping: &Mapping) -> Drawing {
+        match self {
+            Outline::Lines(lines) => {
+                let mut mapped = PathBuf::new();
+                mapped.add_mapped(lines.as_paths(), &mapping.map);
+                match role {
+                    Role::Line => Drawing::Lines(mapped),
+                    Role::Area => Drawing::Area(mapped),
+                }
+            }
+            Outline::Ellipse(ellipse) => Drawing::Ellipse(ellipse.mapped(&mapping.map), role),
+            Outline::Bezier(points) => {
+                Drawing::Bezier(points.into_iter().map(|p| mapping.point(p)).collect(), role)
+            }
+        }
     }
 
     /// The outline as polylines.
@@ -195,18 +214,7 @@ impl<D: Decoder> Interpreter<D> {
 
     fn draw_lines(&mut self, outline: Outline, look: Look) {
         let mapping = self.mapping();
-        let drawing = match outline {
-            Outline::Lines(lines) => {
-                let mut mapped = PathBuf::new();
-                mapped.add_mapped(lines.as_paths(), &mapping.map);
-                Drawing::Lines(mapped)
-            }
-            Outline::Ellipse(ellipse) => Drawing::Ellipse(ellipse.mapped(&mapping.map), Role::Line),
-            Outline::Bezier(points) => {
-                Drawing::Bezier(points.into_iter().map(|p| mapping.point(p)).collect(), Role::Line)
-            }
-        };
-        self.draw(drawing, look);
+        self.draw(outline.drawing(Role::Line, &mapping), look);
     }
 
     /// Dashes and gaps in NDC, where a line is dashed in another way than our linetypes are.
