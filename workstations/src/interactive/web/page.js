@@ -51,6 +51,7 @@ socket.onmessage = ({ data }) => {
     }
     case 2:
       show(view.getUint8(1) ? "steering" : "watching");
+      if (pointer) point(MOVED, pointer, 0);
       canvas.focus();
       break;
     case 3:
@@ -70,7 +71,11 @@ function send(tag, number, x, y) {
   socket.send(view.buffer);
 }
 
+// Where the pointer was last, on the page. It may rest on the picture before this page steers.
+let pointer = null;
+
 function point(tag, event, number) {
+  pointer = { clientX: event.clientX, clientY: event.clientY };
   const box = canvas.getBoundingClientRect();
   // The middle of the pixel that the pointer is on; browsers show pictures from whole pixels on.
   const x = (Math.floor(event.clientX - Math.round(box.left)) + 0.5) * canvas.width / box.width;
