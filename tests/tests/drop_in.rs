@@ -164,6 +164,54 @@ fn extensions_of_gr_are_drawn() {
     assert!(leans, "the upper end of the I is to the right of its foot");
 }
 
+/// What clips in GR besides the rectangle, and images that are smooth.
+#[cfg(target_os = "linux")]
+#[test]
+fn clip_regions_and_resampling_of_gr_are_drawn() {
+    if !has_compiler("gcc") {
+        return;
+    }
+    let picture = image::load_from_memory(&picture("gr_region", GR)).expect("a picture").into_rgb8();
+    let at = |x: f64, y: f64| picture.get_pixel((1000.0 * x) as u32, (1000.0 * (1.0 - y)) as u32).0;
+    let [white, cyan, green, blue, black] = [[0xff; 3], [0, 0xff, 0xff], [0, 0xff, 0], [0, 0, 0xff], [0; 3]];
+
+    // An ellipse about (0.25, 0.75) whose radius is 0.2.
+    let on_circle = |angle: f64, radius: f64| {
+        let (sine, cosine) = angle.to_radians().sin_cos();
+        (0.25 + radius * cosine, 0.75 + radius * sine)
+    };
+    for angle in [15.0, 165.0, 195.0, 300.0, 345.0] {
+        let ((x, y), (u, v)) = (on_circle(angle, 0.197), on_circle(angle, 0.203));
+        assert_eq!((at(x, y), at(u, v)), (cyan, white), "the area at {angle} degrees");
+    }
+    let dark = (0..1000).filter(|&x| picture.get_pixel(x, 250).0 == black && x < 500);
+    let (first, last) = (dark.clone().min(), dark.clone().max());
+    assert!(
+        first.is_some_and(|x| x > 48) && last.is_some_and(|x| x < 452),
+        "the line is cut: {first:?} {last:?}"
+    );
+    assert!((200..300).contains(&dark.count()), "it is dashed");
+    assert!(at(0.058, 0.558) == white && at(0.25, 0.76) != cyan, "a marker outside and one inside");
+    let is_dark = |x, y| picture.get_pixel(x, y).0.iter().all(|&part| part < 128);
+    let text = |left: u32, right: u32| (left..right).any(|x| (80..130).any(|y| is_dark(x, y)));
+    assert!(text(200, 300) && !text(0, 100) && !text(400, 500), "text is cut");
+
+    // From 90 degrees on about (0.75, 0.75).
+    assert_eq!([at(0.7, 0.9), at(0.65, 0.65), at(0.85, 0.65)], [green; 3], "three quarters");
+    assert_eq!([at(0.8, 0.8), at(0.85, 0.853)], [white; 2], "the first quarter");
+    let line = [at(0.6, 0.85), at(0.8, 0.85), at(0.56, 0.85)];
+    assert_eq!(line, [black, white, white], "the line ends at the radius");
+
+    // The rectangle of transformation 3.
+    assert_eq!([at(0.06, 0.06), at(0.44, 0.44), at(0.25, 0.47), at(0.03, 0.25)], [blue, blue, white, white]);
+
+    // Colours along a row: red, then less of it, then blue; nothing outside of the ellipse.
+    let reds: Vec<u8> = (56..95).map(|x| at(f64::from(x) / 100.0, 0.25)[0]).collect();
+    assert!(reds.is_sorted_by(|a, b| a >= b) && reds[0] == 255 && reds[38] == 0, "{reds:?}");
+    assert!(reds.iter().any(|&red| (100..156).contains(&red)), "{reds:?}");
+    assert_eq!([at(0.56, 0.06), at(0.94, 0.44)], [white; 2], "the corners");
+}
+
 /// A program's own error handling function gets the numbers that XGKS has for its functions.
 #[cfg(target_os = "linux")]
 #[test]

@@ -4,7 +4,7 @@ use crate::attributes::real;
 use crate::gks::device_error;
 use crate::{DataRecord, Error, Function, Gks, Result};
 use gks_pipeline::generated::numbers::{ESCAPES, escape};
-use gks_pipeline::look::{Cap, Join};
+use gks_pipeline::look::{Cap, ClipSector, Join};
 use gks_pipeline::record::Record;
 use gks_pipeline::tables::{NominalSize, Primitives};
 
@@ -55,6 +55,13 @@ impl Gks {
             (escape::SET_NOMINAL_SIZE, &[workstation, size], &[factor]) => {
                 let size = NominalSize::from_number(size).ok_or_else(|| invalid(size))?;
                 self.set_nominal_size(workstation, size, factor)
+            }
+            (escape::SET_CLIP_SECTOR, &[on @ (0 | 1)], &[start, end]) => {
+                self.set_clip_sector((on == 1).then_some(ClipSector { start, end }))
+            }
+            (escape::SET_CLIP_SECTOR, &[on], _) => Err(invalid(on)),
+            (escape::SELECT_CLIPPING_TRANSFORMATION, &[number], _) => {
+                self.select_clipping_transformation(number)
             }
             // What it says is for those who read metafiles.
             (escape::COMPOUND_PRIMITIVE, _, _) => Ok(()),

@@ -1,8 +1,10 @@
 //! Normalization transformations, their priority for input, and clipping.
 
+use crate::attributes::NOT_A_NUMBER;
 use crate::{Error, Function, Gks, Result};
 use gks_geometry::{Map, Ndc, Rect, Wc};
 use gks_pipeline::generated::numbers;
+use gks_pipeline::look::ClipSector;
 
 /// The window and the viewport of a normalization transformation.
 #[derive(Copy, Clone, Debug, PartialEq)]
@@ -30,6 +32,10 @@ pub(crate) struct Normalization {
     pub(crate) priority: Vec<i32>,
     pub(crate) current: usize,
     pub(crate) clipping: bool,
+    /// The transformation whose viewport clips instead of that of the current one, whatever the indicator says.
+    clipping_transformation: Option<usize>,
+    /// The sector that clips where a viewport clips.
+    clip_sector: Option<ClipSector>,
     /// The map of the current transformation.
     pub(crate) map: Map<Wc, Ndc>,
     /// What clips the primitives created now.
@@ -45,6 +51,8 @@ impl Default for Normalization {
             priority: (0..count as i32).collect(),
             current: 0,
             clipping: true,
+            clipping_transformation: None,
+            clip_sector: None,
             map: Map::IDENTITY,
             clip: Rect::UNIT,
         }
@@ -55,7 +63,12 @@ impl Normalization {
     fn adopt(&mut self) {
         let current = &self.transformations[self.current];
         self.map = Map::window_to_viewport(&current.window, &current.viewport);
-        self.clip = if self.clipping { current.viewport } else { Rect::UNIT };
+        self.clip = self.clipping_index().map_or(Rect::UNIT, |index| self.transformations[index].viewport);
+    }
+
+    /// The transformation whose viewport clips.
+    fn clipping_index(&self) -> Option<usize> {
+        self.clipping_transformation.or(self.clipping.then_some(self.current))
     }
 
     /// The index of a transformation number, from `least` on, if it is one.
@@ -111,9 +124,18 @@ impl Gks {
 
     fn normalization_changed(&mut self, index: usize) {
         if index == self.normalization.current {
-            self.normalization.adopt();
+            self.adopt_normalization();
             self.geometry_stale = true;
+        } else if self.normalization.clipping_transformation == Some(index) {
+            self.adopt_normalization();
         }
+    }
+
+    fn adopt_normalization(&mut self) {
+        self.normalization.adopt();
+        // Transformation 0 stands for no clipping: its viewport is all of NDC space.
+        let clips = self.normalization.clipping_index().is_some_and(|index| index != 0);
+        self.look.clip_sector = self.normalization.clip_sector.filter(|_| clips);
     }
 
     /// SET VIEWPORT INPUT PRIORITY: moves a transformation next to another one in the order in which
@@ -162,7 +184,36 @@ impl Gks {
     pub fn set_clipping_indicator(&mut self, clip: bool) -> Result<()> {
         self.check_state(Function::SetClippingIndicator)?;
         self.normalization.clipping = clip;
-        self.normalization.adopt();
+        self.adopt_normalization();
+        Ok(())
+    }
+
+    /// Makes a sector of the ellipse in the clipping rectangle clip instead of the whole rectangle, or the rectangle again.
+    /// It has no effect while nothing clips (transformation 0, or the clipping indicator off).
+    ///
+    /// Beyond the standard; ESCAPE offers it to other languages. Metafiles of other systems keep the rectangle. Errors: 8,
+    /// 308 (an angle is not finite).
+    pub fn set_clip_sector(&mut self, sector: Option<ClipSector>) -> Result<()> {
+        const F: Function = Function::Escape;
+        self.check_state(F)?;
+        if sector.is_some_and(|ClipSector { start, end }| !start.is_finite() || !end.is_finite()) {
+            return Err(Error::new(NOT_A_NUMBER, F));
+        }
+        self.normalization.clip_sector = sector;
+        self.adopt_normalization();
+        Ok(())
+    }
+
+    /// Makes the viewport of one normalization transformation clip, whichever is current and whatever the clipping indicator
+    /// says; 0 leaves it to these again.
+    ///
+    /// Beyond the standard; ESCAPE offers it to other languages. Errors: 8, 50.
+    pub fn select_clipping_transformation(&mut self, number: i32) -> Result<()> {
+        const F: Function = Function::Escape;
+        self.check_state(F)?;
+        let index = self.normalization.index(number, 0).ok_or_else(|| invalid_number(F, number))?;
+        self.normalization.clipping_transformation = (index != 0).then_some(index);
+        self.adopt_normalization();
         Ok(())
     }
 
@@ -211,4 +262,74 @@ impl Gks {
 #[cold]
 fn invalid_number(function: Function, number: i32) -> Error {
     Error::new(50, function).because(format!("transformation number {number}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_device::{Drawing, Log, PLAIN, active, number};
+    use gks_pipeline::generated::numbers::escape;
+    use gks_pipeline::look::InteriorStyle;
+    use glam::{DVec2, dvec2};
+
+    /// The ends of a line that is drawn across the picture.
+    fn across(gks: &mut Gks, log: &Log) -> Vec<Vec<DVec2>> {
+        log.take();
+        gks.polyline(&[(0.0, 0.5), (1.0, 0.5)][..]).unwrap();
+        let (Drawing::Lines(lines, _), None) = log.mark() else { panic!("no line") };
+        lines
+    }
+
+    fn near(found: &[Vec<DVec2>], left: f64, right: f64) -> bool {
+        found.len() == 1
+            && found[0].first().zip(found[0].last()).is_some_and(|(a, b)| {
+                a.distance(dvec2(left, 500.0)) < 1e-6 && b.distance(dvec2(right, 500.0)) < 1e-6
+            })
+    }
+
+    #[test]
+    fn an_ellipse_clips_where_a_viewport_does() {
+        let (mut gks, log) = active(&[PLAIN]);
+        gks.set_viewport(1, (0.2, 0.6, 0.5, 0.7)).unwrap();
+        gks.set_window(1, (0.2, 0.6, 0.5, 0.7)).unwrap();
+        gks.set_viewport(2, (0.2, 0.6, 0.4, 0.6)).unwrap();
+        gks.set_clip_sector(Some(ClipSector::WHOLE)).unwrap();
+        assert!(near(&across(&mut gks, &log), 0.0, 1000.0), "transformation 0 does not clip");
+        gks.select_clipping_transformation(2).unwrap();
+        assert!(near(&across(&mut gks, &log), 200.0, 600.0), "the axis of the ellipse");
+        gks.set_viewport(2, (0.2, 0.6, 0.45, 0.65)).unwrap();
+        let half = 200.0 * (1.0 - 0.25_f64).sqrt();
+        assert!(near(&across(&mut gks, &log), 400.0 - half, 400.0 + half), "a chord of it");
+        gks.select_clipping_transformation(0).unwrap();
+        assert!(near(&across(&mut gks, &log), 0.0, 1000.0), "nothing");
+        gks.select_normalization_transformation(1).unwrap();
+        gks.fill_area(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)][..]).unwrap();
+        gks.set_clipping_indicator(false).unwrap();
+        assert!(near(&across(&mut gks, &log), 0.0, 1000.0), "the indicator is off");
+        assert_eq!(number(gks.select_clipping_transformation(999)), 50);
+        let sector = ClipSector { start: f64::NAN, end: 1.0 };
+        assert_eq!(number(gks.set_clip_sector(Some(sector))), 308);
+    }
+
+    #[test]
+    fn escapes_set_the_sector_and_areas_are_cut_by_it() {
+        let (mut gks, log) = active(&[PLAIN]);
+        gks.set_viewport(1, (0.0, 0.5, 0.0, 0.5)).unwrap();
+        gks.select_normalization_transformation(1).unwrap();
+        let record = crate::DataRecord::new(&[1], &[180.0, 270.0], &[]);
+        gks.escape(escape::SET_CLIP_SECTOR, &record).unwrap();
+        gks.set_fill_area_interior_style(InteriorStyle::Solid).unwrap();
+        gks.fill_area(&[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)][..]).unwrap();
+        let (Drawing::Area(rings, ..), None) = log.mark() else { panic!("no area") };
+        let quarter =
+            |p: &DVec2| p.max_element() < 250.0 + 1e-6 && p.distance(dvec2(250.0, 250.0)) < 250.0 + 1e-6;
+        assert!(rings.len() == 1 && rings[0].len() > 8 && rings[0].iter().all(quarter), "{rings:?}");
+        // Outside of it nothing is drawn, and what is on its other side neither.
+        gks.polyline(&[(0.6, 0.9), (0.9, 0.6)][..]).unwrap();
+        assert!(log.marks().is_empty());
+        let record = crate::DataRecord::new(&[0], &[0.0, 0.0], &[]);
+        gks.escape(escape::SET_CLIP_SECTOR, &record).unwrap();
+        gks.polyline(&[(0.6, 0.9), (0.9, 0.6)][..]).unwrap();
+        assert_eq!(log.marks().len(), 1);
+    }
 }

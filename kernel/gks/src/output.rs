@@ -21,7 +21,7 @@ impl Gks {
         self.check_state(F)?;
         let points = points.into();
         at_least(F, &points, 2)?;
-        if points.len() >= LONG && self.open_segment.is_none() {
+        if points.len() >= LONG && self.open_segment.is_none() && self.look.clip_sector.is_none() {
             return self.long_polyline(&points);
         }
         self.normalize(&points, 2, true);

@@ -71,6 +71,20 @@ enumeration! {
     }
 }
 
+/// A sector of the ellipse that touches the sides of the clipping rectangle. Beyond the standard.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub struct ClipSector {
+    /// Where it begins: the parameter of the ellipse in degrees, 0 at the right, 90 at the top.
+    pub start: f64,
+    /// Where it ends, counterclockwise from there; the whole ellipse where it is 360 degrees or more away.
+    pub end: f64,
+}
+
+impl ClipSector {
+    /// The whole ellipse.
+    pub const WHOLE: ClipSector = ClipSector { start: 0.0, end: 360.0 };
+}
+
 /// The aspects whose value comes either from a bundle or from an individual attribute, in the
 /// standard's order.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -224,6 +238,8 @@ pub struct Look {
     pub fill: FillBundle,
     /// Geometric pattern attributes.
     pub pattern: PatternGeometry,
+    /// What clips in addition to the clipping rectangle.
+    pub clip_sector: Option<ClipSector>,
 }
 
 impl Default for Look {
@@ -259,6 +275,7 @@ impl Default for Look {
                 width: Vector::new(1.0, 0.0),
                 height: Vector::new(0.0, 1.0),
             },
+            clip_sector: None,
         }
     }
 }

@@ -67,12 +67,13 @@ impl State {
             Attribute::ClippingRectangle(v) => *clip = v,
             Attribute::Cap(v) => look.cap = v,
             Attribute::Join(v) => look.join = v,
+            Attribute::ClipSector(v) => look.clip_sector = v,
         }
     }
 }
 
 impl State {
-    /// All attributes with their values, line ends and corners only where they are not the initial ones.
+    /// All attributes with their values, line ends, corners and the sector that clips only where they are not the initial ones.
     pub fn attributes(&self) -> impl Iterator<Item = Attribute> + use<> {
         let State { look, clip, pick } = self;
         let (line, marker, text, fill) = (&look.line, &look.marker, &look.text, &look.fill);
@@ -106,7 +107,8 @@ impl State {
         ];
         let cap = (look.cap != Cap::Butt).then_some(Attribute::Cap(look.cap));
         let join = (look.join != Join::Miter).then_some(Attribute::Join(look.join));
-        standard.into_iter().chain(cap).chain(join)
+        let sector = look.clip_sector.map(|sector| Attribute::ClipSector(Some(sector)));
+        standard.into_iter().chain(cap).chain(join).chain(sector)
     }
 }
 
@@ -154,6 +156,7 @@ pub fn differences(known: &mut State, item: &Item<'_>, mut tell: impl FnMut(Attr
         attribute((a.width, a.height) != (b.width, b.height), Attribute::PatternVectors(b.width, b.height));
         attribute(a.reference != b.reference, Attribute::PatternReference(b.reference));
         attribute(old.sources != new.sources, Attribute::AspectSourceFlags(new.sources));
+        attribute(old.clip_sector != new.clip_sector, Attribute::ClipSector(new.clip_sector));
         known.look.clone_from(new);
     }
     if known.clip != item.clip {
@@ -171,7 +174,7 @@ mod tests {
     use super::*;
     use crate::item::Shape;
     use crate::look::{
-        AspectSourceFlags, Cap, Horizontal, InteriorStyle, Join, Precision, TextPath, Vertical,
+        AspectSourceFlags, Cap, ClipSector, Horizontal, InteriorStyle, Join, Precision, TextPath, Vertical,
     };
     use gks_geometry::{Point, Vector};
 
@@ -203,6 +206,7 @@ mod tests {
             Attribute::PatternVectors(Vector::new(0.5, 0.0), Vector::new(0.0, 0.25)),
             Attribute::PatternReference(Point::new(0.1, 0.2)),
             Attribute::AspectSourceFlags(AspectSourceFlags::BUNDLED),
+            Attribute::ClipSector(Some(ClipSector { start: 30.0, end: 270.0 })),
             Attribute::ClippingRectangle(Rect::new(0.1, 0.9, 0.2, 0.8)),
             Attribute::PickIdentifier(9),
         ]

@@ -94,6 +94,9 @@ fn visibility(bounds: &Rect<Du>, clip: &Rect<Du>) -> Visibility {
 impl Painter {
     /// Paints an item.
     pub fn paint(&mut self, item: &Item<'_>, canvas: &mut Canvas<'_>) -> Result<(), DeviceError> {
+        if let Some(sector) = item.look.clip_sector {
+            return lower::sector::paint(self, item, sector, canvas);
+        }
         let Some(clip) = item.clip.intersection(&canvas.window) else { return Ok(()) };
         let clip = canvas.clip_map.rect(&clip);
         if canvas.glow {

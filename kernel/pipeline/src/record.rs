@@ -12,8 +12,8 @@ use crate::description::{DeferralMode, RegenerationMode};
 use crate::device::{DeviceError, Drawn};
 use crate::item::{Item, Shape};
 use crate::look::{
-    AspectSourceFlags, Cap, FillBundle, Horizontal, InteriorStyle, Join, LineBundle, MarkerBundle, Precision,
-    TextBundle, TextPath, Vertical,
+    AspectSourceFlags, Cap, ClipSector, FillBundle, Horizontal, InteriorStyle, Join, LineBundle,
+    MarkerBundle, Precision, TextBundle, TextPath, Vertical,
 };
 use crate::tables::Pattern;
 use gks_geometry::{Dc, Map, Ndc, Point, Rect, Vector};
@@ -249,4 +249,6 @@ pub enum Attribute {
     Cap(Cap),
     /// Line corners; beyond the standard.
     Join(Join),
+    /// The part of the clipping rectangle that clips; beyond the standard.
+    ClipSector(Option<ClipSector>),
 }

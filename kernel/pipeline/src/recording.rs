@@ -16,7 +16,7 @@
 //! that look alike, and found again where a program alternates between a few.
 
 use crate::item::{Cells, Closure, Curve, Ellipse, Item, Parallelogram, Role, Shape};
-use crate::look::Look;
+use crate::look::{ClipSector, Look};
 use gks_geometry::{Map, Ndc, Paths, Point, Rect, Vector};
 use glam::DVec2;
 
@@ -105,12 +105,15 @@ impl Recording {
         rest[..vectors].iter_mut().for_each(|v| *v = map.0.transform_vector2(*v));
     }
 
-    /// The images of all primitives under a map, clipped at another rectangle.
+    /// The images of all primitives under a map, clipped at another rectangle or a sector in it.
     #[must_use]
-    pub fn mapped(&self, map: &Map<Ndc, Ndc>, clip: Rect<Ndc>) -> Recording {
+    pub fn mapped(&self, map: &Map<Ndc, Ndc>, clip: Rect<Ndc>, sector: Option<ClipSector>) -> Recording {
         let mut mapped = Recording::new();
+        let mut look = Look::default();
         for item in self {
-            mapped.push_mapped(&Item { clip, ..item }, map);
+            look.clone_from(item.look);
+            look.clip_sector = sector;
+            mapped.push_mapped(&Item { clip, look: &look, ..item }, map);
         }
         mapped
     }
@@ -437,7 +440,7 @@ mod tests {
             let mut recording = Recording::new();
             items.iter().for_each(|item| recording.push(item));
             let clip = Rect::new(0.2, 0.3, 0.2, 0.3);
-            let mapped = recording.mapped(&map, clip);
+            let mapped = recording.mapped(&map, clip, None);
             let back: Vec<Item<'_>> = mapped.iter().collect();
             assert!(back.iter().all(|item| item.clip == clip));
             let picks = |items: &[Item<'_>]| items.iter().map(|item| item.pick).collect::<Vec<_>>();

@@ -14,7 +14,10 @@ pub(crate) extern "C" fn gks_init_gks() {}
 /// OPEN GKS, with the Fortran unit for errors.
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn gks_open_gks(unit: c_int) {
-    call_instance(Function::OpenGks, |instance| instance.open_gks(ErrorFile::from_unit(unit.max(0))));
+    call_instance(Function::OpenGks, |instance| {
+        instance.open_gks(ErrorFile::from_unit(unit.max(0)))?;
+        extension::set_clipping(&mut instance.gks)
+    });
 }
 
 /// CLOSE GKS.

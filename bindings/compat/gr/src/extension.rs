@@ -1,14 +1,19 @@
 //! What GR has beyond the standard and keeps beside the state list: opacity, borders, the slant of text, nominal sizes,
-//! and settings that have no effect here but are given back by inquiries.
+//! what clips, and settings that have no effect here but are given back by inquiries.
 
 use crate::argument::{Address, call};
+use crate::resample::Methods;
 use gks::{Function, Gks};
+use gks_pipeline::look::ClipSector;
 use gks_pipeline::tables::NominalSize;
 use std::ffi::{c_int, c_uint};
 use std::sync::{Mutex, PoisonError};
 
 /// The interior style of areas that are filled and have a border.
 pub(crate) const SOLID_WITH_BORDER: c_int = 4;
+
+/// The clip region that is the ellipse in the clipping rectangle.
+const ELLIPSE: c_int = 1;
 
 /// The settings.
 #[derive(Clone, Debug)]
@@ -46,6 +51,11 @@ impl State {
         nominal_size: 0.0,
         encoding: 301,
     };
+
+    /// How images are resampled.
+    pub(crate) fn resample_methods(&self) -> Methods {
+        Methods(self.resample_method)
+    }
 }
 
 static STATE: Mutex<State> = Mutex::new(State::INITIAL);
@@ -77,10 +87,6 @@ settings! {
     gks_set_border_color_index, gks_inq_border_color_index(c_int) border_colour: "the colour index of borders";
     gks_set_border_width, gks_inq_border_width(f64) border_width: "the linewidth scale factor of borders";
     gks_set_text_slant, gks_inq_text_slant(f64) slant: "by how many degrees characters lean to the right";
-    gks_select_clip_xform, gks_inq_clip_xform(c_int) clip_transformation:
-        "the normalization transformation that clips, which has no effect: the current one does";
-    gks_set_clip_region, gks_inq_clip_region(c_int) clip_region:
-        "whether the rectangle or the ellipse in it clips, which has no effect: the rectangle does";
 }
 
 /// Sets the opacity of what is drawn from now on, from 0 to 1.
@@ -97,10 +103,58 @@ extern "C" fn gks_inq_transparency(error: Address<c_int>, alpha: Address<f64>) {
     alpha.set(with(|state| state.opacity));
 }
 
-/// Sets the sector of the ellipse that clips, in degrees, which has no effect.
+/// Selects the normalization transformation whose viewport clips; 0 leaves it to the current one.
+#[unsafe(no_mangle)]
+extern "C" fn gks_select_clip_xform(number: c_int) {
+    call(Function::Escape, |gks| {
+        gks.select_clipping_transformation(number)?;
+        with(|state| state.clip_transformation = number);
+        Ok(())
+    });
+}
+
+/// Inquires the normalization transformation whose viewport clips.
+#[unsafe(no_mangle)]
+extern "C" fn gks_inq_clip_xform(error: Address<c_int>, number: Address<c_int>) {
+    error.set(0);
+    number.set(with(|state| state.clip_transformation));
+}
+
+/// Sets what clips: 0 the clipping rectangle, 1 the ellipse in it or a sector of that.
+#[unsafe(no_mangle)]
+extern "C" fn gks_set_clip_region(region: c_int) {
+    call(Function::Escape, |gks| {
+        with(|state| state.clip_region = region);
+        set_clip_sector(gks)
+    });
+}
+
+/// Inquires what clips.
+#[unsafe(no_mangle)]
+extern "C" fn gks_inq_clip_region(error: Address<c_int>, region: Address<c_int>) {
+    error.set(0);
+    region.set(with(|state| state.clip_region));
+}
+
+/// Sets the sector of the ellipse that clips, in degrees.
 #[unsafe(no_mangle)]
 extern "C" fn gks_set_clip_sector(start: f64, end: f64) {
-    with(|state| state.clip_sector = (start, end));
+    call(Function::Escape, |gks| {
+        with(|state| state.clip_sector = (start, end));
+        set_clip_sector(gks)
+    });
+}
+
+/// Tells the kernel what clips.
+fn set_clip_sector(gks: &mut Gks) -> gks::Result<()> {
+    let (region, (start, end)) = with(|state| (state.clip_region, state.clip_sector));
+    gks.set_clip_sector((region == ELLIPSE).then_some(ClipSector { start, end }))
+}
+
+/// Tells a kernel that has been opened what clips.
+pub(crate) fn set_clipping(gks: &mut Gks) -> gks::Result<()> {
+    gks.select_clipping_transformation(with(|state| state.clip_transformation))?;
+    set_clip_sector(gks)
 }
 
 /// Inquires the sector of the ellipse that clips.
@@ -112,8 +166,8 @@ extern "C" fn gks_inq_clip_sector(error: Address<c_int>, start: Address<f64>, en
     end.set(sector.1);
 }
 
-/// Sets how images are resampled, which has no effect: cells are areas of one colour on every device, so a pixel takes
-/// the colour of the cell at its centre, as with GR's default.
+/// Sets how images are resampled: methods for each axis and direction, 1 nearest, 2 linear, 3 Lanczos. 0 is the first, unless
+/// the environment variable `GKS_DEFAULT_RESAMPLE_METHOD` says otherwise.
 #[unsafe(no_mangle)]
 extern "C" fn gks_set_resample_method(method: c_uint) {
     with(|state| state.resample_method = method);

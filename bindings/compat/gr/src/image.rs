@@ -2,7 +2,9 @@
 
 use crate::argument::{Address, call};
 use crate::extension;
+use crate::resample::resampled;
 use gks::{Function, Gks};
+use gks_pipeline::description::Classification;
 use std::ffi::c_int;
 
 /// The colour index that holds a colour itself, for all workstations
@@ -40,10 +42,40 @@ fn draw(
     (columns, rows): (usize, usize),
     pixels: &[c_int],
 ) -> gks::Result<()> {
-    let opacity = extension::with(|state| state.opacity);
+    let (opacity, methods) = extension::with(|state| (state.opacity, state.resample_methods()));
+    let size = (columns, rows);
+    let target = shown(gks, (left, bottom), (right, top), size);
+    let smooth = target.and_then(|target| resampled(pixels, size, target, methods));
+    let (pixels, (columns, rows)) = match &smooth {
+        Some((pixels, size)) => (&pixels[..], *size),
+        None => (pixels, (columns, rows)),
+    };
     let cell = |&pixel: &c_int| packed(pixel, f64::from(pixel.to_le_bytes()[3]) / 255.0 * opacity);
     let cells: Vec<c_int> = pixels.iter().map(cell).collect();
     gks.cell_array_of((left, top), (right, bottom), &cells, columns, rows, columns)
+}
+
+/// On how many columns and rows of pixels a rectangle is shown on the active workstation where it takes the most of them,
+/// on documents at `least` so many.
+fn shown(gks: &Gks, p: (f64, f64), q: (f64, f64), least: (usize, usize)) -> Option<(usize, usize)> {
+    let active: Vec<c_int> =
+        gks.inquire_set_of_active_workstations().map(Iterator::collect).unwrap_or_default();
+    // Metafiles and segment storage have no pixels.
+    let pixels = |&id: &c_int| {
+        let (columns, rows) = gks.inquire_pixel_array_dimensions(id, p, q).ok()?;
+        // The pixels of both corners are counted, of which one lies outside.
+        let size = ((columns - 1).max(1), (rows - 1).max(1));
+        let kind = gks.inquire_workstation_connection_and_type(id).ok()?.1;
+        match gks.inquire_workstation_classification(kind).ok()? {
+            Classification::Raster => Some(size),
+            // What is written in points is shown with more pixels than that.
+            Classification::Vector | Classification::Other => {
+                Some((size.0.max(least.0), size.1.max(least.1)))
+            }
+        }
+    };
+    let most = |a: (usize, usize), b: (usize, usize)| (a.0.max(b.0), a.1.max(b.1));
+    active.iter().filter_map(pixels).reduce(most)
 }
 
 #[cfg(test)]

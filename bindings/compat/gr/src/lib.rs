@@ -28,6 +28,7 @@ mod inquiry;
 mod output;
 mod path;
 mod private;
+mod resample;
 mod slant;
 mod transformation;
 

@@ -1,4 +1,4 @@
-//! Clipping: what of a segment, a polyline or a ring lies inside a rectangle or a convex polygon.
+//! Clipping: what of a segment, a polyline or a ring lies inside a rectangle, a convex polygon or a sector of an ellipse.
 //!
 //! [`cohen_sutherland`], [`liang_barsky`] and [`nicholl_lee_nicholl`] do the same job with the same signature. For all
 //! of them the boundary is inside, points that are inside come back bit for bit, cut points lie exactly on the side that
@@ -6,6 +6,7 @@
 
 mod cohen_sutherland;
 mod cyrus_beck;
+mod elliptic_sector;
 mod liang_barsky;
 mod nicholl_lee_nicholl;
 mod polyline;
@@ -13,6 +14,7 @@ mod sutherland_hodgman;
 
 pub use cohen_sutherland::cohen_sutherland;
 pub use cyrus_beck::cyrus_beck;
+pub use elliptic_sector::EllipticSector;
 pub use liang_barsky::liang_barsky;
 pub use nicholl_lee_nicholl::nicholl_lee_nicholl;
 pub use polyline::polyline;

@@ -170,6 +170,10 @@ impl Gks {
             Attribute::AspectSourceFlags(flags) => self.set_aspect_source_flags(flags),
             Attribute::Cap(cap) => self.set_line_cap(cap),
             Attribute::Join(join) => self.set_line_join(join),
+            Attribute::ClipSector(sector) => {
+                self.look.clip_sector = sector;
+                Ok(())
+            }
             Attribute::PickIdentifier(v) => {
                 self.pick = v;
                 Ok(())

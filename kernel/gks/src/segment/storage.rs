@@ -67,7 +67,7 @@ impl Gks {
         }
         let Some(segment) = self.segments.get(name) else { return Ok(()) };
         let map = segment.appearance.transformation.then(&Map::from_rows(matrix));
-        let inserted = segment.recording.mapped(&map, self.normalization.clip);
+        let inserted = segment.recording.mapped(&map, self.normalization.clip, self.look.clip_sector);
         let mut done = Ok(());
         for item in &inserted {
             let target = Target {

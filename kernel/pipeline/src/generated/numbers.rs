@@ -542,6 +542,10 @@ pub mod escape {
     pub const SET_OPACITY: i32 = -3007;
     /// Set nominal size; data record: integers (workstation identifier; size: 0 linewidth, 1 marker size, 2 hatch spacing), reals (the size as a multiple of the one that all devices have).
     pub const SET_NOMINAL_SIZE: i32 = -3008;
+    /// Set clip sector; data record: integers (what clips: 0 the clipping rectangle, 1 a sector of the ellipse in it), reals (parameter of the ellipse in degrees where the sector begins; where it ends, counterclockwise).
+    pub const SET_CLIP_SECTOR: i32 = -3009;
+    /// Select clipping transformation; data record: integers (normalization transformation whose viewport clips; 0 the current one, if the clipping indicator says so).
+    pub const SELECT_CLIPPING_TRANSFORMATION: i32 = -3010;
 }
 
 /// The escape functions.
@@ -554,6 +558,8 @@ pub static ESCAPES: &[Escape] = &[
     Escape { number: -3006, name: "compound primitive", integers: 1, reals: 0, output_integers: 0 },
     Escape { number: -3007, name: "set opacity", integers: 2, reals: 1, output_integers: 0 },
     Escape { number: -3008, name: "set nominal size", integers: 2, reals: 1, output_integers: 0 },
+    Escape { number: -3009, name: "set clip sector", integers: 1, reals: 2, output_integers: 0 },
+    Escape { number: -3010, name: "select clipping transformation", integers: 1, reals: 0, output_integers: 0 },
 ];
 
 /// The predefined polyline bundles 1, 2, ....

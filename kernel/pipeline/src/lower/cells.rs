@@ -39,7 +39,7 @@ pub(crate) fn draw(
         }
     }
     for (paint, area) in areas.values() {
-        painter.solid(area.as_paths(), Rule::NonZero, *paint, clip, canvas)?;
+        painter.solid(area.as_paths(), Rule::EvenOdd, *paint, clip, canvas)?;
     }
     Ok(())
 }

@@ -10,5 +10,6 @@ pub mod hatch;
 pub mod line;
 pub mod marker;
 pub mod pattern;
+pub mod sector;
 pub mod text;
 pub mod wide;

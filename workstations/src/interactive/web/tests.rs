@@ -132,8 +132,9 @@ fn a_viewer_sees_the_picture_and_operates_it() {
 #[test]
 fn another_takes_over() {
     let (web, mut queue) = opened();
-    let (mut first, mut second) = (viewer(&web), viewer(&web));
+    let mut first = viewer(&web);
     assert_eq!(expect(&mut first, 2), [2, 1]);
+    let mut second = viewer(&web);
     assert_eq!(expect(&mut second, 2), [2, 0]);
     let key = |character| Message::binary(Event::Character(character).to_bytes().to_vec());
     second.send(key('a')).unwrap();

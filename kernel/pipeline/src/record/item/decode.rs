@@ -8,8 +8,8 @@ use crate::description::{DeferralMode, RegenerationMode};
 use crate::generated::numbers::escape;
 use crate::item::{Cells, Curve, Parallelogram, Shape};
 use crate::look::{
-    AspectSourceFlags, Cap, FillBundle, Horizontal, InteriorStyle, Join, LineBundle, MarkerBundle, Precision,
-    TextBundle, TextPath, Vertical,
+    AspectSourceFlags, Cap, ClipSector, FillBundle, Horizontal, InteriorStyle, Join, LineBundle,
+    MarkerBundle, Precision, TextBundle, TextPath, Vertical,
 };
 use crate::record::{Attribute, Record};
 use crate::tables::Pattern;
@@ -388,6 +388,12 @@ fn private_attribute(id: i32, data: &[u8]) -> Option<Record<'static>> {
     let attribute = match id {
         escape::SET_LINE_CAP => Attribute::Cap(Cap::of(value()?)?),
         escape::SET_LINE_JOIN => Attribute::Join(Join::of(value()?)?),
+        escape::SET_CLIP_SECTOR => match unpacked(data)? {
+            (on, reals) if on == [1] && reals.len() == 2 => {
+                Attribute::ClipSector(Some(ClipSector { start: reals[0], end: reals[1] }))
+            }
+            _ => Attribute::ClipSector(None),
+        },
         _ => return None,
     };
     Some(Record::Attribute(attribute))

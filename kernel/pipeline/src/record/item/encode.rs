@@ -3,7 +3,7 @@
 use super::{Put, generalized, kind};
 use crate::generated::numbers::escape;
 use crate::item::{Cells, Parallelogram, Shape};
-use crate::look::{FillBundle, LineBundle, MarkerBundle, TextBundle};
+use crate::look::{ClipSector, FillBundle, LineBundle, MarkerBundle, TextBundle};
 use crate::record::{Attribute, Record};
 use crate::tables::Pattern;
 use gks_geometry::{Ndc, Paths, Point, Rect, Space, Vector};
@@ -256,6 +256,10 @@ fn attribute(put: &mut impl Put, attribute: Attribute) {
         Attribute::Cap(cap) => escaped(put, escape::SET_LINE_CAP, packed(&[cap as i32], &[]).as_bytes()),
         Attribute::Join(join) => {
             escaped(put, escape::SET_LINE_JOIN, packed(&[join as i32], &[]).as_bytes());
+        }
+        Attribute::ClipSector(sector) => {
+            let (on, ClipSector { start, end }) = (sector.is_some(), sector.unwrap_or(ClipSector::WHOLE));
+            escaped(put, escape::SET_CLIP_SECTOR, packed(&[on.into()], &[start, end]).as_bytes());
         }
     }
 }

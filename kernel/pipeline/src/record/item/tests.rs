@@ -2,7 +2,9 @@ use super::*;
 use crate::colour::Colour;
 use crate::description::{DeferralMode, RegenerationMode};
 use crate::item::{Cells, Closure, Curve, Ellipse, Parallelogram, Role, Shape};
-use crate::look::{Cap, FillBundle, InteriorStyle, Join, LineBundle, MarkerBundle, Precision, TextBundle};
+use crate::look::{
+    Cap, ClipSector, FillBundle, InteriorStyle, Join, LineBundle, MarkerBundle, Precision, TextBundle,
+};
 use crate::look_difference::State;
 use crate::record::{Attribute, Record};
 use crate::tables::Pattern;
@@ -72,6 +74,7 @@ fn attributes_come_back() {
     let mut state = State::default();
     state.set(Attribute::Cap(Cap::Round));
     state.set(Attribute::Join(Join::Bevel));
+    state.set(Attribute::ClipSector(Some(ClipSector { start: 30.0, end: 270.0 })));
     state.set(Attribute::CharacterVectors(Vector::new(0.1, 0.2), Vector::new(0.3, -0.1)));
     let mut count = 0;
     for attribute in state.attributes() {
@@ -79,7 +82,7 @@ fn attributes_come_back() {
         assert_eq!(there_and_back(&record), [said(&record)]);
         count += 1;
     }
-    assert_eq!(count, 27);
+    assert_eq!(count, 28);
 }
 
 #[test]
