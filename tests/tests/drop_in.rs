@@ -1,8 +1,9 @@
 //! The libraries that stand in for XGKS and for the GKS of GR: their symbols, and that their names draw what those of
 //! ISO draw.
 
+use gks_tests::likeness;
 use gks_tests::program::{self, assert_good, example, has_compiler, repository, run};
-use gks_tests::reader::skip;
+use gks_tests::reader::{self, present, skip};
 use std::collections::BTreeSet;
 use std::env;
 use std::fs;
@@ -171,7 +172,10 @@ fn clip_regions_and_resampling_of_gr_are_drawn() {
     if !has_compiler("gcc") {
         return;
     }
-    let picture = image::load_from_memory(&picture("gr_region", GR)).expect("a picture").into_rgb8();
+    let program = compile("gr_region", GR);
+    assert!(start(&program, &[]).status.success());
+    documents_are_clipped_the_same(&program);
+    let picture = image::open(program.with_extension("png")).expect("a picture").into_rgb8();
     let at = |x: f64, y: f64| picture.get_pixel((1000.0 * x) as u32, (1000.0 * (1.0 - y)) as u32).0;
     let [white, cyan, green, blue, black] = [[0xff; 3], [0, 0xff, 0xff], [0, 0xff, 0], [0, 0, 0xff], [0; 3]];
 
@@ -210,6 +214,55 @@ fn clip_regions_and_resampling_of_gr_are_drawn() {
     assert!(reds.is_sorted_by(|a, b| a >= b) && reds[0] == 255 && reds[38] == 0, "{reds:?}");
     assert!(reds.iter().any(|&red| (100..156).contains(&red)), "{reds:?}");
     assert_eq!([at(0.56, 0.06), at(0.94, 0.44)], [white; 2], "the corners");
+}
+
+/// Documents clip by themselves, and are no larger for it.
+#[cfg(target_os = "linux")]
+fn documents_are_clipped_the_same(program: &Path) {
+    if !present("clip regions", &["rsvg-convert", "pdftoppm", "gs"]) {
+        return;
+    }
+    let folder = program.parent().expect("the folder of the program");
+    let file = |name: &str| folder.join(name).to_str().expect("a path in UTF-8").to_owned();
+    let write = |kind: &str| {
+        let (size, name) =
+            (["800x800", "400x400"][usize::from(kind != "png")], file(&format!("region.{kind}")));
+        let environment =
+            [("GKS_WSTYPE", kind), ("GKS_CONID", &name[..]), ("GKS_OPTIONS", &format!("size={size}"))];
+        assert!(start(program, &environment).status.success(), "{kind}");
+        assert!(fs::metadata(&name).expect("a document").len() < 300_000, "{kind}");
+        name
+    };
+    let expected = likeness::open(Path::new(&write("png"))).expect("a picture");
+    let readers: [(&str, &str, Vec<&str>); 3] = [
+        ("svg", "rsvg-convert", vec!["-w", "800", "-o", "OUT", "IN"]),
+        ("pdf", "pdftoppm", vec!["-png", "-r", "144", "-singlefile", "IN", "OUT"]),
+        (
+            "ps",
+            "gs",
+            vec![
+                "-q",
+                "-dNOPAUSE",
+                "-dBATCH",
+                "-dSAFER",
+                "-sDEVICE=png16m",
+                "-r144",
+                "-sOutputFile=OUT",
+                "IN",
+            ],
+        ),
+    ];
+    for (kind, reader, arguments) in readers {
+        let (document, picture) = (write(kind), file(&format!("{kind}.png")));
+        let out = if reader == "pdftoppm" { picture.trim_end_matches(".png") } else { &picture };
+        let arguments: Vec<String> =
+            arguments.iter().map(|word| word.replace("OUT", out).replace("IN", &document)).collect();
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        reader::run(60, reader, &arguments).expect("a picture of the document");
+        let found = likeness::open(Path::new(&picture)).expect("a picture");
+        let likeness = likeness::likeness(&expected, &found);
+        assert!(likeness.stray < 0.02 && likeness.tone < 2.0, "{kind}: {likeness:?}");
+    }
 }
 
 /// A program's own error handling function gets the numbers that XGKS has for its functions.

@@ -41,7 +41,7 @@
 use crate::colour::{Colour, Paint};
 use crate::font::{OutlineFace, StrokeGlyph};
 use crate::input::Input;
-use crate::item::{Cells, Curve, Parallelogram};
+use crate::item::{Cells, Curve, Ellipse, Parallelogram};
 use crate::look::{Cap, Join};
 use crate::tables::Tables;
 use gks_geometry::{Du, LongLine, PathBuf, Paths, Point, Rect, Vector};
@@ -68,6 +68,13 @@ pub trait Device: Send {
 
     /// Draws a mark over what is there, or refuses it untouched.
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError>;
+
+    /// Draws a mark inside of an ellipse or a sector of one, or refuses it untouched. Most devices refuse all of them; the
+    /// pipeline then cuts what can be cut.
+    fn draw_within(&mut self, mark: &Mark<'_>, region: &Ellipse<Du>) -> Result<Drawn, DeviceError> {
+        let _ = (mark, region);
+        Ok(Drawn::No)
+    }
 
     /// Completes the page; a file that holds one page appears under its name now.
     fn end(&mut self) -> Result<(), DeviceError>;

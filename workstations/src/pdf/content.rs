@@ -12,7 +12,7 @@ use crate::route::{Route, Track};
 use gks_geometry::{Du, Paths, Pieces, Rect};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::device::{DeviceError, Pen, Rule};
-use gks_pipeline::item::{Closure, Curve, Parallelogram};
+use gks_pipeline::item::{Closure, Curve, Ellipse, Parallelogram};
 use gks_pipeline::look::Cap;
 use glam::DVec2;
 use std::collections::BTreeSet;
@@ -63,6 +63,9 @@ pub(crate) struct Content {
     /// The state outside of the clipping rectangle, which comes back with it.
     pub(super) outside: State,
     pub(super) clip: Option<[i64; 4]>,
+    /// The ellipse that clips, and the state outside of it.
+    pub(super) region: Option<Ellipse<Du>>,
+    pub(super) around: State,
     pub(super) opacities: BTreeSet<u8>,
 }
 
@@ -82,6 +85,8 @@ impl Content {
             state: State::new(),
             outside: State::new(),
             clip: None,
+            region: None,
+            around: State::new(),
             opacities: BTreeSet::new(),
         }
     }
@@ -91,11 +96,13 @@ impl Content {
         self.text.clear();
         self.state = State::new();
         self.clip = None;
+        self.region = None;
         self.opacities.clear();
     }
 
-    /// Leaves the clipping rectangle and hands over what remains of the page.
+    /// Leaves what clips and hands over what remains of the page.
     pub(crate) fn end(&mut self, drain: &mut impl Drain) -> Result<(), DeviceError> {
+        self.region(None, drain)?;
         self.clip(None);
         self.flush(drain)
     }
@@ -237,7 +244,11 @@ impl Content {
     }
 
     /// Appends a curve, or nothing where it shrinks to a point; whether there is one.
-    fn curve(&mut self, curve: &Curve<'_, Du>, drain: &mut impl Drain) -> Result<bool, DeviceError> {
+    pub(super) fn curve(
+        &mut self,
+        curve: &Curve<'_, Du>,
+        drain: &mut impl Drain,
+    ) -> Result<bool, DeviceError> {
         let Some(start) = first(curve) else { return Ok(false) };
         match curve {
             Curve::Bezier(points) => {

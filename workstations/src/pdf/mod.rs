@@ -20,8 +20,10 @@ use crate::route::Route;
 use content::{Content, Language};
 use document::Document;
 use font::Fonts;
+use gks_geometry::Du;
 use gks_pipeline::description::Description;
 use gks_pipeline::device::{Device, DeviceError, Drawn, Fill, Form, Mark, Page, Sink, Surface};
+use gks_pipeline::item::Ellipse;
 use pdf_writer::{Name, Ref, TextStr};
 use std::collections::BTreeSet;
 
@@ -74,30 +76,9 @@ impl Pdf {
             self.content.fill_rectangle(&self.surface.extent(), colour);
         }
     }
-}
 
-impl Device for Pdf {
-    fn surface(&self) -> &Surface {
-        &self.surface
-    }
-
-    fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
-        if self.catalog.is_none() {
-            self.document.open()?;
-            self.catalog = Some((self.document.reserve()?, self.document.reserve()?));
-        }
-        self.start(page);
-        Ok(())
-    }
-
-    /// What is in the file of the old description belongs to no page then.
-    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
-        self.document.end_contents()?;
-        self.start(page);
-        Ok(Drawn::Yes)
-    }
-
-    fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
+    /// Writes a mark where it is clipped already, or refuses it.
+    fn mark(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         let Pdf { content, document, route, .. } = self;
         match &mark.form {
             Form::Markers(..)
@@ -125,6 +106,38 @@ impl Device for Pdf {
         }
         self.content.relieve(&mut self.document)?;
         Ok(Drawn::Yes)
+    }
+}
+
+impl Device for Pdf {
+    fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
+        if self.catalog.is_none() {
+            self.document.open()?;
+            self.catalog = Some((self.document.reserve()?, self.document.reserve()?));
+        }
+        self.start(page);
+        Ok(())
+    }
+
+    /// What is in the file of the old description belongs to no page then.
+    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
+        self.document.end_contents()?;
+        self.start(page);
+        Ok(Drawn::Yes)
+    }
+
+    fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
+        self.content.region(None, &mut self.document)?;
+        self.mark(mark)
+    }
+
+    fn draw_within(&mut self, mark: &Mark<'_>, region: &Ellipse<Du>) -> Result<Drawn, DeviceError> {
+        self.content.region(Some(region), &mut self.document)?;
+        self.mark(mark)
     }
 
     fn end(&mut self) -> Result<(), DeviceError> {

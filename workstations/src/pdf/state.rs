@@ -1,10 +1,11 @@
 //! The graphics state of a page description: written when it changes, not when it is used.
 
-use super::content::{Content, LENGTHS, Language, STEPS};
+use super::content::{Content, Drain, LENGTHS, Language, STEPS};
 use crate::number::Decimal;
 use gks_geometry::{Du, Rect};
 use gks_pipeline::colour::Colour;
-use gks_pipeline::device::Pen;
+use gks_pipeline::device::{DeviceError, Pen};
+use gks_pipeline::item::{Curve, Ellipse};
 use gks_pipeline::look::{Cap, Join};
 use std::collections::BTreeSet;
 
@@ -64,6 +65,40 @@ impl Content {
             self.text.extend_from_slice(b"W n\n");
         }
         self.clip = clip;
+    }
+
+    /// Sets the ellipse or the sector of one that clips, outside of the clipping rectangle.
+    #[inline]
+    pub(crate) fn region(
+        &mut self,
+        region: Option<&Ellipse<Du>>,
+        drain: &mut impl Drain,
+    ) -> Result<(), DeviceError> {
+        if self.region.as_ref() == region { Ok(()) } else { self.change_region(region, drain) }
+    }
+
+    #[cold]
+    fn change_region(
+        &mut self,
+        region: Option<&Ellipse<Du>>,
+        drain: &mut impl Drain,
+    ) -> Result<(), DeviceError> {
+        self.clip(None);
+        if self.region.take().is_some() {
+            self.text.extend_from_slice(b"Q\n");
+            self.state.clone_from(&self.around);
+        }
+        if let Some(region) = region {
+            self.around.clone_from(&self.state);
+            self.text.extend_from_slice(b"q\n");
+            // One without area has an inside without area.
+            if !self.curve(&Curve::Ellipse(*region), drain)? {
+                self.rectangle([0; 4]);
+            }
+            self.text.extend_from_slice(b"W n\n");
+            self.region = Some(*region);
+        }
+        Ok(())
     }
 
     /// The opacities, of 255, that this page has used beside 255 itself.

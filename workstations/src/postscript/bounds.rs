@@ -3,7 +3,7 @@
 use crate::arc;
 use crate::pdf::sfnt;
 use gks_geometry::{Du, LongLine, PathBuf, Paths, Piece, Pieces, Point, Rect};
-use gks_pipeline::device::{Form, GlyphRun, Mark, Pen};
+use gks_pipeline::device::{Form, GlyphRun, Pen};
 use gks_pipeline::font::Verb;
 use gks_pipeline::item::{Closure, Curve};
 use gks_pipeline::look::{Cap, Join};
@@ -40,14 +40,14 @@ impl Bounds {
         self.point(rect.max.0);
     }
 
-    /// Takes in the ink of a mark.
-    pub(crate) fn mark(&mut self, mark: &Mark<'_>) {
-        let Some(clip) = &mark.clip else { return self.form(&mark.form) };
+    /// Takes in the ink of a form, as far as it is seen inside of a rectangle.
+    pub(crate) fn ink(&mut self, form: &Form<'_>, clip: Option<&Rect<Du>>) {
+        let Some(clip) = clip else { return self.form(form) };
         if self.0.is_some_and(|known| known.contains_rect(clip)) {
             return;
         }
         let mut ink = Bounds::default();
-        ink.form(&mark.form);
+        ink.form(form);
         if let Some(seen) = ink.0.and_then(|ink| ink.intersection(clip)) {
             self.rect(&seen);
         }
@@ -349,7 +349,7 @@ mod tests {
         let mut bounds = Bounds::default();
         let ends = [points.len() as u32];
         let form = Form::Lines(Paths::new(&points, &ends), pen);
-        bounds.mark(&Mark { form, clip });
+        bounds.ink(&form, clip.as_ref());
         format!("{bounds:#}")
     }
 
@@ -393,10 +393,7 @@ mod tests {
     fn cubics_reach_as_far_as_they_turn() {
         let mut bounds = Bounds::default();
         let arch = [(0.0, 0.0), (0.0, 40.0), (30.0, 40.0), (30.0, 0.0)].map(|(x, y)| DVec2::new(x, y));
-        bounds.mark(&Mark {
-            form: Form::Filled(Curve::Bezier(&arch), pen(1.0, Cap::Butt, Join::Bevel).paint),
-            clip: None,
-        });
+        bounds.ink(&Form::Filled(Curve::Bezier(&arch), pen(1.0, Cap::Butt, Join::Bevel).paint), None);
         assert_eq!(format!("{bounds:#}"), "0.000 0.000 30.000 30.000");
     }
 }

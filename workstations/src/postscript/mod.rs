@@ -22,10 +22,10 @@ use crate::pdf::content::{Content, Language, STEPS};
 use crate::pdf::image::{Opacity, Samples};
 use crate::route::Route;
 use document::{Document, Kind};
-use gks_geometry::Du;
+use gks_geometry::{Du, Rect, Vector};
 use gks_pipeline::description::Description;
 use gks_pipeline::device::{Device, DeviceError, Drawn, Fill, Form, Grid, Mark, Page, Sink, Surface};
-use gks_pipeline::item::Parallelogram;
+use gks_pipeline::item::{Ellipse, Parallelogram};
 
 /// How many bytes of a page description are held back at most, but for the text of one mark.
 pub const HELD: usize = 1 << 20;
@@ -75,6 +75,7 @@ impl PostScript {
     fn cells(
         &mut self,
         mark: &Mark<'_>,
+        seen: Option<Rect<Du>>,
         place: &Parallelogram<Du>,
         grid: Grid<'_>,
     ) -> Result<Drawn, DeviceError> {
@@ -86,9 +87,43 @@ impl PostScript {
             Opacity::Varied(true) => return Ok(Drawn::No),
             Opacity::Even(_) | Opacity::Varied(false) => {}
         }
-        document.bounds.mark(mark);
+        document.bounds.ink(&mark.form, seen.as_ref());
         content.clip(mark.clip.as_ref());
         image::draw(place, &mut samples, content, document, deflate)?;
+        content.relieve(document)?;
+        Ok(Drawn::Yes)
+    }
+
+    /// Writes a mark where it is clipped already, or refuses it; its ink is seen inside of a rectangle.
+    fn mark(&mut self, mark: &Mark<'_>, seen: Option<Rect<Du>>) -> Result<Drawn, DeviceError> {
+        let colour = match &mark.form {
+            Form::Markers(..)
+            | Form::Area(_, _, Fill::Pattern(..))
+            | Form::StrokeText(_)
+            | Form::IndexedCells(..) => return Ok(Drawn::No),
+            Form::Text(run) if self.options.outlines || run.face.glyphs() == 0 => return Ok(Drawn::No),
+            Form::Cells(place, grid) => return self.cells(mark, seen, place, *grid),
+            Form::Lines(_, pen) | Form::LongLine(_, pen) | Form::Stroke(_, pen) => pen.paint.colour,
+            Form::Area(_, _, Fill::Solid(paint)) | Form::Filled(_, paint) => paint.colour,
+            Form::Text(run) => run.paint.colour,
+        };
+        if colour.to_bytes()[3] == 0 {
+            return Ok(Drawn::Yes);
+        }
+        let PostScript { content, document, route, .. } = self;
+        document.bounds.ink(&mark.form, seen.as_ref());
+        content.clip(mark.clip.as_ref());
+        match &mark.form {
+            Form::Lines(paths, pen) => content.lines(paths, pen, route, document)?,
+            Form::LongLine(line, pen) => content.lines(line, pen, route, document)?,
+            Form::Stroke(curve, pen) => content.stroke(curve, pen, document)?,
+            Form::Filled(curve, _) => content.filled(curve, colour, document)?,
+            Form::Area(rings, rule, _) => content.area(*rings, *rule, colour, route, document)?,
+            Form::Text(run) => document.fonts.draw(run, content),
+            Form::Cells(..) | Form::Markers(..) | Form::StrokeText(_) | Form::IndexedCells(..) => {
+                return Ok(Drawn::No);
+            }
+        }
         content.relieve(document)?;
         Ok(Drawn::Yes)
     }
@@ -124,39 +159,24 @@ impl Device for PostScript {
     }
 
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
-        let colour = match &mark.form {
-            Form::Markers(..)
-            | Form::Area(_, _, Fill::Pattern(..))
-            | Form::StrokeText(_)
-            | Form::IndexedCells(..) => return Ok(Drawn::No),
-            Form::Text(run) if self.options.outlines || run.face.glyphs() == 0 => return Ok(Drawn::No),
-            Form::Cells(place, grid) => return self.cells(mark, place, *grid),
-            Form::Lines(_, pen) | Form::LongLine(_, pen) | Form::Stroke(_, pen) => pen.paint.colour,
-            Form::Area(_, _, Fill::Solid(paint)) | Form::Filled(_, paint) => paint.colour,
-            Form::Text(run) => run.paint.colour,
+        self.content.region(None, &mut self.document)?;
+        self.mark(mark, mark.clip)
+    }
+
+    fn draw_within(&mut self, mark: &Mark<'_>, region: &Ellipse<Du>) -> Result<Drawn, DeviceError> {
+        self.content.region(Some(region), &mut self.document)?;
+        let (a, b) = (region.a.0.abs(), region.b.0.abs());
+        let around =
+            Rect::around([region.centre + Vector::from_vec(a + b), region.centre - Vector::from_vec(a + b)]);
+        let seen = match (mark.clip, around) {
+            (Some(clip), Some(around)) => clip.intersection(&around).or(Some(clip)),
+            (clip, around) => around.or(clip),
         };
-        if colour.to_bytes()[3] == 0 {
-            return Ok(Drawn::Yes);
-        }
-        let PostScript { content, document, route, .. } = self;
-        document.bounds.mark(mark);
-        content.clip(mark.clip.as_ref());
-        match &mark.form {
-            Form::Lines(paths, pen) => content.lines(paths, pen, route, document)?,
-            Form::LongLine(line, pen) => content.lines(line, pen, route, document)?,
-            Form::Stroke(curve, pen) => content.stroke(curve, pen, document)?,
-            Form::Filled(curve, _) => content.filled(curve, colour, document)?,
-            Form::Area(rings, rule, _) => content.area(*rings, *rule, colour, route, document)?,
-            Form::Text(run) => document.fonts.draw(run, content),
-            Form::Cells(..) | Form::Markers(..) | Form::StrokeText(_) | Form::IndexedCells(..) => {
-                return Ok(Drawn::No);
-            }
-        }
-        content.relieve(document)?;
-        Ok(Drawn::Yes)
+        self.mark(mark, seen)
     }
 
     fn end(&mut self) -> Result<(), DeviceError> {
+        self.content.region(None, &mut self.document)?;
         self.content.clip(None);
         self.document.end_page(self.content.text())
     }

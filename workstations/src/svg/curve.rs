@@ -35,6 +35,11 @@ pub(super) fn filled(
     element(document, curve, true)
 }
 
+/// Writes the element for an ellipse or a sector of one that clips.
+pub(super) fn region(document: &mut Document, region: &Ellipse<Du>) -> io::Result<()> {
+    element(document, &Curve::Ellipse(*region), true)
+}
+
 /// Writes the element for a curve; `anywhere` says that it does not matter where a full ellipse starts.
 fn element(document: &mut Document, curve: &Curve<'_, Du>, anywhere: bool) -> io::Result<()> {
     match curve {

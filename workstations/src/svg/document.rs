@@ -7,6 +7,7 @@ use super::COORDINATE;
 use gks_geometry::{Du, Rect};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::device::Sink;
+use gks_pipeline::item::Ellipse;
 use std::collections::VecDeque;
 use std::io;
 
@@ -30,6 +31,8 @@ pub(super) struct Document {
     /// Where the attributes of the next mark are composed.
     wanted: Vec<u8>,
     clips: VecDeque<([i64; 4], u32)>,
+    /// The ellipse that clips, outside of all groups.
+    region: Option<Ellipse<Du>>,
     defined: u32,
     images: bool,
 }
@@ -44,6 +47,7 @@ impl Document {
             colour: None,
             wanted: Vec::new(),
             clips: VecDeque::new(),
+            region: None,
             defined: 0,
             images: false,
         }
@@ -69,6 +73,7 @@ impl Document {
         self.style.clear();
         self.clip = None;
         self.clips.clear();
+        self.region = None;
         self.defined = 0;
         self.images = false;
     }
@@ -85,7 +90,38 @@ impl Document {
         !std::mem::replace(&mut self.images, true)
     }
 
-    /// Closes all groups.
+    /// Makes an ellipse or a sector of one, whose element `write` writes, what clips.
+    #[inline]
+    pub(super) fn set_region(
+        &mut self,
+        region: Option<&Ellipse<Du>>,
+        write: impl FnOnce(&mut Document, &Ellipse<Du>) -> io::Result<()>,
+    ) -> io::Result<()> {
+        if self.region.as_ref() == region { Ok(()) } else { self.change_region(region, write) }
+    }
+
+    #[cold]
+    fn change_region(
+        &mut self,
+        region: Option<&Ellipse<Du>>,
+        write: impl FnOnce(&mut Document, &Ellipse<Du>) -> io::Result<()>,
+    ) -> io::Result<()> {
+        self.close_groups();
+        if self.region.take().is_some() {
+            self.raw("</g>\n");
+        }
+        if let Some(region) = region {
+            self.defined += 1;
+            let number = self.defined;
+            self.raw(&format!("<clipPath id=\"c{number}\">"));
+            write(self, region)?;
+            self.raw(&format!("</clipPath>\n<g clip-path=\"url(#c{number})\">\n"));
+            self.region = Some(*region);
+        }
+        Ok(())
+    }
+
+    /// Closes all groups but that of the region.
     pub(super) fn close_groups(&mut self) {
         self.close_style();
         self.close_clip();

@@ -21,6 +21,7 @@ use crate::number::Decimal;
 use crate::options::Options;
 use crate::route::Route;
 use document::Document;
+use gks_geometry::Du;
 use gks_pipeline::colour::Colour;
 use gks_pipeline::description::{
     Category, Classification, DeferralMode, Description, DynamicModifications, RegenerationMode,
@@ -29,6 +30,7 @@ use gks_pipeline::description::{
 use gks_pipeline::device::{
     Device, DeviceError, Drawn, Fill, Form, Mark, MarkerStyle, Page, Pen, Sink, Surface,
 };
+use gks_pipeline::item::Ellipse;
 use gks_pipeline::look::{Cap, Join};
 use text::Fonts;
 
@@ -137,28 +139,9 @@ impl Svg {
             document.raw("/>\n");
         }
     }
-}
 
-impl Device for Svg {
-    fn surface(&self) -> &Surface {
-        &self.surface
-    }
-
-    fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
-        self.document.open()?;
-        self.head(page);
-        Ok(())
-    }
-
-    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
-        if !self.document.restart()? {
-            return Ok(Drawn::No);
-        }
-        self.head(page);
-        Ok(Drawn::Yes)
-    }
-
-    fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
+    /// Writes a mark where it is clipped already, or refuses it.
+    fn mark(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         let Svg { document, route, .. } = self;
         let clip = mark.clip.as_ref();
         match &mark.form {
@@ -194,8 +177,39 @@ impl Device for Svg {
         document.spill()?;
         Ok(Drawn::Yes)
     }
+}
+
+impl Device for Svg {
+    fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    fn begin(&mut self, page: &Page) -> Result<(), DeviceError> {
+        self.document.open()?;
+        self.head(page);
+        Ok(())
+    }
+
+    fn erase(&mut self, page: &Page) -> Result<Drawn, DeviceError> {
+        if !self.document.restart()? {
+            return Ok(Drawn::No);
+        }
+        self.head(page);
+        Ok(Drawn::Yes)
+    }
+
+    fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
+        self.document.set_region(None, curve::region)?;
+        self.mark(mark)
+    }
+
+    fn draw_within(&mut self, mark: &Mark<'_>, region: &Ellipse<Du>) -> Result<Drawn, DeviceError> {
+        self.document.set_region(Some(region), curve::region)?;
+        self.mark(mark)
+    }
 
     fn end(&mut self) -> Result<(), DeviceError> {
+        self.document.set_region(None, curve::region)?;
         self.document.close_groups();
         self.fonts.write(&mut self.document)?;
         self.document.raw("</svg>\n");
