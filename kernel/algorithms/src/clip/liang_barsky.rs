@@ -1,7 +1,7 @@
 //! Y.-D. Liang and B. A. Barsky, "A New Concept and Method for Line Clipping", ACM Transactions on Graphics 3(1), 1984:
 //! segment against rectangle by the interval of its parameter.
 
-use super::cohen_sutherland::outcode;
+use super::cohen_sutherland::{ABOVE, BELOW, LEFT, RIGHT, outcode};
 use super::{hold, meet_horizontal, meet_vertical};
 use crate::path::is_usable;
 use crate::rect::Rect;
@@ -15,7 +15,8 @@ pub fn liang_barsky(rect: Rect, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
     if !is_usable(a) || !is_usable(b) {
         return None;
     }
-    if outcode(rect, a) | outcode(rect, b) == 0 {
+    let (code_a, code_b) = (outcode(rect, a), outcode(rect, b));
+    if code_a | code_b == 0 {
         return Some((a, b));
     }
     let (min, max) = rect;
@@ -23,11 +24,12 @@ pub fn liang_barsky(rect: Rect, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
         return None;
     }
     let d = b - a;
-    // The side through which the segment enters last and the one through which it leaves first.
+    // The side through which the segment enters last and the one through which it leaves first. Whether it does is for the
+    // ends to say: from far away the parameter of a side comes out as that of the end beyond it.
     let (mut enter, mut leave) = ((0.0, None), (1.0, None));
     for (run, low, high, meet) in [
-        (d.x, (min.x - a.x, min.x), (max.x - a.x, max.x), meet_vertical as Meet),
-        (d.y, (min.y - a.y, min.y), (max.y - a.y, max.y), meet_horizontal),
+        (d.x, (min.x - a.x, min.x, LEFT), (max.x - a.x, max.x, RIGHT), meet_vertical as Meet),
+        (d.y, (min.y - a.y, min.y, BELOW), (max.y - a.y, max.y, ABOVE), meet_horizontal),
     ] {
         if run == 0.0 {
             if low.0 > 0.0 || high.0 < 0.0 {
@@ -36,10 +38,10 @@ pub fn liang_barsky(rect: Rect, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
             continue;
         }
         let (near, far) = if run > 0.0 { (low, high) } else { (high, low) };
-        if near.0 / run > enter.0 {
+        if code_a & near.2 != 0 && (near.0 / run > enter.0 || enter.1.is_none()) {
             enter = (near.0 / run, Some((meet, near.1)));
         }
-        if far.0 / run < leave.0 {
+        if code_b & far.2 != 0 && (far.0 / run < leave.0 || leave.1.is_none()) {
             leave = (far.0 / run, Some((meet, far.1)));
         }
         if enter.0 > leave.0 {

@@ -148,6 +148,21 @@ mod tests {
     }
 
     #[test]
+    fn ends_beyond_a_side_are_cut_however_far_the_other_one_is() {
+        for far in [1e17_f64, 1e55, 1e150, -1e17, -1e55, -1e150] {
+            let near = -9.0 * far.signum();
+            let upright = (DVec2::new(1.0, far), DVec2::new(1.0, near));
+            let level = (DVec2::new(far, 1.0), DVec2::new(near, 1.0));
+            for (name, clip) in CLIPPERS {
+                for (a, b) in [upright, level, (upright.1, upright.0), (level.1, level.0)] {
+                    let (p, q) = clip(RECT, a, b).expect("it crosses the rectangle");
+                    assert!(inside(RECT, p) && inside(RECT, q) && p != q, "{name} {a} {b}: {p} {q}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn cyrus_beck_agrees_on_rectangles_either_way_round() {
         let mut random = Xorshift::new(4);
         let ring = corners(RECT);
