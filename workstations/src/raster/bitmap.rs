@@ -7,6 +7,7 @@ use std::ops::Range;
 #[derive(Debug)]
 pub(super) struct Bitmap {
     width: usize,
+    height: usize,
     pixels: Vec<Pixel>,
 }
 
@@ -14,12 +15,12 @@ impl Bitmap {
     /// A bitmap of transparent pixels.
     pub(super) fn new(width: u32, height: u32) -> Self {
         let (width, height) = (width as usize, height as usize);
-        Bitmap { width, pixels: vec![[0; 4]; width * height] }
+        Bitmap { width, height, pixels: vec![[0; 4]; width * height] }
     }
 
     /// Number of columns and rows.
     pub(super) fn size(&self) -> (u32, u32) {
-        (self.width as u32, (self.pixels.len() / self.width.max(1)) as u32)
+        (self.width as u32, self.height as u32)
     }
 
     /// Gives all pixels one value.

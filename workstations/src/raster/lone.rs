@@ -8,8 +8,8 @@ use super::composite::{Ink, Pixel};
 use gks_algorithms::coverage::SAMPLES;
 use gks_pipeline::look::Cap;
 use glam::DVec2;
-use std::f64::consts::FRAC_PI_4;
-use std::ops::{Range, RangeInclusive};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
+use std::ops::Range;
 
 /// The greatest height of a line in one step along it, in pixels: so it touches no more than four pixels across it.
 const HIGHEST: f64 = 3.0;
@@ -35,15 +35,16 @@ pub(super) struct Lone {
 /// A line along its main direction: `x` is the coordinate that grows faster.
 struct Segment {
     from: DVec2,
-    length: f64,
     run: f64,
     slope: f64,
     direction: DVec2,
     /// By how much the caps make it longer.
     longer: f64,
+    ends: Ends,
 }
 
 impl Segment {
+    #[inline]
     fn new(from: DVec2, to: DVec2, width: f64, cap: Cap) -> Self {
         let (from, to) = if from.x <= to.x { (from, to) } else { (to, from) };
         let along = to - from;
@@ -54,29 +55,58 @@ impl Segment {
             Cap::Round => 0.5 * width * FRAC_PI_4,
             Cap::Projecting => 0.5 * width,
         };
-        Segment { from, length, run: along.x, slope: along.y / along.x, direction: along / length, longer }
+        let direction = along / length;
+        let ends = Ends::new(from, direction, length, longer);
+        Segment { from, run: along.x, slope: along.y / along.x, direction, longer, ends }
+    }
+}
+
+/// What the ends of a line leave of pixels.
+struct Ends {
+    /// How far the middle of the first pixel of the first step lies behind the beginning and before the end, and half a pixel
+    /// more; and by how much the next step and the next pixel are further on.
+    begun: i64,
+    left: i64,
+    step: i64,
+    pixel: i64,
+}
+
+impl Ends {
+    /// Distances are counted in this part of a pixel, of which 64 are told apart in the end.
+    const UNIT: f64 = (1u32 << (6 + Ends::FINER)) as f64;
+    const FINER: u32 = 14;
+
+    #[inline]
+    fn new(from: DVec2, direction: DVec2, length: f64, longer: f64) -> Self {
+        let begun = (0.5 - from).dot(direction) + longer + 0.5;
+        let left = length + 2.0 * longer + 1.0 - begun;
+        let fixed = |distance: f64| (distance * Ends::UNIT) as i64;
+        Ends { begun: fixed(begun), left: fixed(left), step: fixed(direction.x), pixel: fixed(direction.y) }
     }
 
-    /// Leaves of the four pixels of a step at the end of the line what lies before the end; `step` and `first` are their
-    /// numbers along and across the line.
-    #[inline]
-    fn end(&self, step: i32, first: i32, samples: [u8; 4]) -> [u8; 4] {
+    /// Leaves of the four pixels of a step what lies before the end; `step` and `first` are their numbers along and across
+    /// the line. Inlined it becomes branches that no processor predicts.
+    #[inline(never)]
+    fn leave(&self, step: i32, first: i32, samples: [u8; 4]) -> [u8; 4] {
         /// Parts of a pixel.
         const ONE: i16 = 64;
         /// More than four pixels have.
-        const FAR: f64 = 1024.0;
-        // How far the middle of the first pixel lies behind the beginning and before the end, and half a pixel more.
-        let middle = DVec2::new(f64::from(step), f64::from(first)) + 0.5 - self.from;
-        let begun = middle.dot(self.direction) + self.longer + 0.5;
-        let left = self.length + 2.0 * self.longer + 1.0 - begun;
-        let parts = |t: f64| (t * f64::from(ONE)).clamp(-FAR, FAR) as i16;
-        let (begun, left, step) = (parts(begun), parts(left), parts(self.direction.y));
-        let mut steps = [0, step, 2 * step, 3 * step];
-        for (kept, count) in steps.iter_mut().zip(samples) {
-            let part = (begun + *kept).clamp(0, ONE) + (left - *kept).clamp(0, ONE) - ONE;
-            *kept = (i16::from(count) * part.max(0) + ONE / 2) / ONE;
+        const FAR: i64 = 1024;
+        let on = i64::from(step) * self.step + i64::from(first) * self.pixel;
+        let parts = |distance: i64| (distance >> Ends::FINER).clamp(-FAR, FAR) as i16;
+        let (begun, left, next) = (parts(self.begun + on), parts(self.left - on), parts(self.pixel));
+        // The four pixels twice: what of them the beginning and what the end leaves.
+        let mut parts = [begun, begun, begun, begun, left, left, left, left];
+        let offsets = [0, next, 2 * next, 3 * next, 0, -next, -2 * next, -3 * next];
+        for (part, offset) in parts.iter_mut().zip(offsets) {
+            *part = (*part + offset).clamp(0, ONE);
         }
-        steps.map(|count| count as u8)
+        let [a, b, c, d, e, f, g, h] = parts;
+        let mut kept = [a + e, b + f, c + g, d + h, 0, 0, 0, 0];
+        for (kept, count) in kept.iter_mut().zip(samples.into_iter().chain([0; 4])) {
+            *kept = ((*kept - ONE).max(0) * i16::from(count) + ONE / 2) >> ONE.trailing_zeros();
+        }
+        [kept[0], kept[1], kept[2], kept[3]].map(|count| count as u8)
     }
 }
 
@@ -85,7 +115,7 @@ const FRACTION: u32 = 32;
 
 /// The steps in which pixels of a line lie.
 struct Steps {
-    all: RangeInclusive<i32>,
+    all: Range<i32>,
     /// Those at which no end is to be seen.
     inner: Range<i32>,
     /// Where the first of the four pixels of the first step lies, and by how much further that of the next.
@@ -105,7 +135,7 @@ impl Steps {
         let ahead = f64::from(start) + 0.5 - from;
         let fixed = |x: f64| (x * (1u64 << FRACTION) as f64) as i64;
         Steps {
-            all: start..=(to + reach) as i32,
+            all: start..(to + reach) as i32 + 1,
             inner: (from + inner + 0.5) as i32..(to - inner + 0.5) as i32,
             first: fixed(line.from.y + ahead * line.slope - ABOVE),
             slope: fixed(line.slope),
@@ -113,18 +143,29 @@ impl Steps {
     }
 
     /// Reads a pixel of each step, with nothing in between, which brings them from memory all at once. Steps are `along`
-    /// pixels apart, pixels across the line `across`.
+    /// pixels apart, pixels across the line `across`; each `every`th step is enough.
     #[inline]
-    fn touch(&self, pixels: &[Pixel], along: usize, across: usize) {
+    fn touch(&self, pixels: &[Pixel], (along, across): (usize, usize), every: usize) {
         let mut read = 0;
         let mut second = self.first + (1 << FRACTION);
-        for step in self.all.clone() {
+        for step in self.all.clone().step_by(every) {
             let place = step as usize * along + (second >> FRACTION) as usize * across;
             read ^= pixels.get(place).map_or(0, |pixel| u32::from_ne_bytes(*pixel));
-            second += self.slope;
+            second += self.slope * every as i64;
         }
         std::hint::black_box(read);
     }
+}
+
+/// Whether a line along a vector touches no more than four pixels across it.
+#[inline]
+fn is_thin(along: DVec2, width: f64) -> bool {
+    // As it is for all slopes.
+    if width <= (HIGHEST - 1.0) * FRAC_1_SQRT_2 {
+        return true;
+    }
+    let slope = along.min_element() / along.max_element();
+    width * (1.0 + slope * slope).sqrt() + slope <= HIGHEST
 }
 
 impl Lone {
@@ -146,8 +187,7 @@ impl Lone {
         let (low, high) = (a.min(b) - MARGIN, a.max(b) + MARGIN);
         let inside = low.min_element() >= 0.0 && high.x < f64::from(columns) && high.y < f64::from(rows);
         let along = (b - a).abs();
-        let slope = along.min_element() / along.max_element();
-        if !inside || a == b || width * (1.0 + slope * slope).sqrt() + slope > HIGHEST {
+        if !inside || a == b || !is_thin(along, width) {
             return false;
         }
         let pixels = bitmap.pixels_mut();
@@ -155,7 +195,7 @@ impl Lone {
         if along.y > along.x {
             let line = Segment::new(DVec2::new(a.y, a.x), DVec2::new(b.y, b.x), width, cap);
             let steps = Steps::new(&line, width);
-            steps.touch(pixels, columns, 1);
+            steps.touch(pixels, (columns, 1), 1);
             self.draw_steps(&line, steps, width, |row, column, samples| {
                 let start = row * columns + column;
                 if let Some(below) = pixels.get_mut(start..).and_then(|rest| rest.first_chunk_mut()) {
@@ -165,7 +205,7 @@ impl Lone {
         } else {
             let line = Segment::new(a, b, width, cap);
             let steps = Steps::new(&line, width);
-            steps.touch(pixels, 1, columns);
+            steps.touch(pixels, (1, columns), 4);
             self.draw_steps(&line, steps, width, |column, row, samples| {
                 let start = row * columns + column;
                 let Some(pixels) = pixels.get_mut(start..=start + 3 * columns) else { return };
@@ -195,7 +235,7 @@ impl Lone {
             let place = (exact >> (FRACTION - PLACES.trailing_zeros())) as usize % PLACES;
             let mut samples = profile[place];
             if !steps.inner.contains(&step) {
-                samples = line.end(step, first as i32, samples);
+                samples = line.ends.leave(step, first as i32, samples);
             }
             put(step as usize, first as usize, samples);
             exact += steps.slope;
