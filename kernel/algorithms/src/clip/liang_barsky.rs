@@ -20,7 +20,7 @@ pub fn liang_barsky(rect: Rect, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
         return Some((a, b));
     }
     let (min, max) = rect;
-    if min.x > max.x || min.y > max.y {
+    if code_a & code_b != 0 || min.x > max.x || min.y > max.y {
         return None;
     }
     let d = b - a;
@@ -32,9 +32,6 @@ pub fn liang_barsky(rect: Rect, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
         (d.y, (min.y - a.y, min.y, BELOW), (max.y - a.y, max.y, ABOVE), meet_horizontal),
     ] {
         if run == 0.0 {
-            if low.0 > 0.0 || high.0 < 0.0 {
-                return None;
-            }
             continue;
         }
         let (near, far) = if run > 0.0 { (low, high) } else { (high, low) };

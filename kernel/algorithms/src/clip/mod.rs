@@ -163,6 +163,27 @@ mod tests {
     }
 
     #[test]
+    fn nothing_is_left_outside_whatever_the_magnitudes() {
+        let mut random = Xorshift::new(8);
+        let mut number = || {
+            let sign = if random.int(0, 1) == 0 { 1.0 } else { -1.0 };
+            let most = if random.int(0, 2) == 0 { 150.0 } else { 2.0 };
+            sign * 10f64.powf(random.real(-3.0, most))
+        };
+        let mut visible = 0;
+        for _ in 0..100_000 {
+            let (a, b) = (DVec2::new(number(), number()), DVec2::new(number(), number()));
+            for (name, clip) in CLIPPERS {
+                if let Some((p, q)) = clip(RECT, a, b) {
+                    assert!(inside(RECT, p) && inside(RECT, q), "{name} {a} {b}: {p} {q}");
+                    visible += 1;
+                }
+            }
+        }
+        assert!(visible > 30_000);
+    }
+
+    #[test]
     fn cyrus_beck_agrees_on_rectangles_either_way_round() {
         let mut random = Xorshift::new(4);
         let ring = corners(RECT);
