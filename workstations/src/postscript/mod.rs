@@ -165,13 +165,14 @@ impl Device for PostScript {
 
     fn draw_within(&mut self, mark: &Mark<'_>, region: &Ellipse<Du>) -> Result<Drawn, DeviceError> {
         self.content.region(Some(region), &mut self.document)?;
-        let (a, b) = (region.a.0.abs(), region.b.0.abs());
-        let around =
-            Rect::around([region.centre + Vector::from_vec(a + b), region.centre - Vector::from_vec(a + b)]);
-        let seen = match (mark.clip, around) {
-            (Some(clip), Some(around)) => clip.intersection(&around).or(Some(clip)),
-            (clip, around) => around.or(clip),
-        };
+        let reach = Vector::from_vec(region.a.0.abs() + region.b.0.abs());
+        let around = Rect::around([region.centre - reach, region.centre + reach]);
+        let seen =
+            around.and_then(|around| mark.clip.map_or(Some(around), |clip| clip.intersection(&around)));
+        // What lies beside the ellipse has no ink that a bounding box would hold.
+        if seen.is_none() {
+            return Ok(Drawn::Yes);
+        }
         self.mark(mark, seen)
     }
 
