@@ -245,7 +245,8 @@ impl Gks {
 
     /// INQUIRE CLIPPING: the clipping indicator and the clipping rectangle.
     ///
-    /// The rectangle is the viewport of the current normalization transformation where the indicator is on.
+    /// The rectangle is the viewport of the current normalization transformation where the indicator is on, and that of the
+    /// one selected by [`Gks::select_clipping_transformation`] in any case.
     /// Error: 8.
     pub fn inquire_clipping(&self) -> Result<(bool, Rect<Ndc>)> {
         self.check_state(Function::InquireClipping)?;
