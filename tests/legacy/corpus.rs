@@ -34,6 +34,8 @@ impl End {
         match text.trim().parse() {
             // `timeout` gave up, or the processor time ran out.
             Ok(124 | 152) => End::Timeout,
+            // Those that end no program are statuses: SIGCHLD, SIGCONT, SIGSTOP to SIGTTOU, SIGURG and SIGWINCH.
+            Ok(status @ (145..=151 | 156)) => End::Status(status),
             Ok(status @ 129..=159) => End::Signal(status - 128),
             Ok(status) => End::Status(status),
             Err(_) => End::Missing,

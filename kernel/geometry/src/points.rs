@@ -2,7 +2,7 @@
 
 use crate::{Point, Rect, Wc};
 use glam::{DAffine2, DVec2};
-use std::ops::Range;
+use std::ops::{Add, Mul, Range};
 
 /// A view of an array of points in one of the layouts that callers have. The normalization transformation is
 /// the pass that reads it; nothing is copied before.
@@ -90,14 +90,14 @@ impl<'a> Points<'a> {
 
     /// The smallest rectangle around all points, or none if one of them is not finite or there is none.
     pub fn bounds(&self) -> Option<Rect<Wc>> {
-        let (low, high) = match *self {
-            Points::Tuples(p) => extremes(p.len(), |i| p[i].into()),
-            Points::Arrays(p) => extremes(p.len(), |i| p[i]),
-            Points::Singles(p) => extremes(p.len(), |i| p[i]),
-            Points::SplitSingles(x, y) => extremes(self.len(), |i| [x[i], y[i]]),
-            Points::Split(x, y) => extremes(self.len(), |i| [x[i], y[i]]),
+        let ([low_x, high_x], [low_y, high_y]) = match *self {
+            Points::Tuples(p) => extremes_of_pairs(p, |&(x, y)| [x, y]),
+            Points::Arrays(p) => extremes_of_pairs(p, |&p| p),
+            Points::Singles(p) => extremes_of_pairs(p, |&p| p),
+            Points::SplitSingles(x, y) => Some((extremes(&x[..self.len()])?, extremes(&y[..self.len()])?)),
+            Points::Split(x, y) => Some((extremes(&x[..self.len()])?, extremes(&y[..self.len()])?)),
         }?;
-        Some(Rect { min: Point::from_vec(low), max: Point::from_vec(high) })
+        Some(Rect { min: Point::new(low_x, low_y), max: Point::new(high_x, high_y) })
     }
 
     /// Calls `each` with every point in turn.
@@ -127,38 +127,70 @@ fn add_mapped(map: &DAffine2, points: impl Iterator<Item = DVec2>, images: &mut 
     finite
 }
 
-/// The least and the greatest coordinates of a number of points, if all are finite and there are any.
-#[inline]
-fn extremes<T: Copy + PartialOrd + Into<f64>>(
-    count: usize,
-    point: impl Fn(usize) -> [T; 2],
-) -> Option<(DVec2, DVec2)> {
-    /// As many are compared side by side, so that none waits for the one before.
-    const LANES: usize = 4;
-    if count == 0 {
-        return None;
+/// As many numbers are compared side by side, so that none waits for the one before.
+const LANES: usize = 8;
+
+/// The least and the greatest of numbers that come many at a time.
+struct Extremes<T> {
+    low: [T; LANES],
+    high: [T; LANES],
+    /// Zero as long as all numbers are finite.
+    zero: [T; LANES],
+}
+
+impl<T: Copy + Default + PartialOrd + Into<f64> + Mul<Output = T> + Add<Output = T>> Extremes<T> {
+    fn new(first: [T; LANES]) -> Self {
+        Extremes { low: first, high: first, zero: [T::default(); LANES] }
     }
-    let (mut low, mut high) = ([point(0); LANES], [point(0); LANES]);
-    let mut finite = true;
-    let mut from = 0;
-    while from < count {
-        for lane in 0..LANES {
-            // The last point may come again.
-            let p = point((from + lane).min(count - 1));
-            let (low, high) = (&mut low[lane], &mut high[lane]);
-            for i in [0, 1] {
-                low[i] = if p[i] < low[i] { p[i] } else { low[i] };
-                high[i] = if p[i] > high[i] { p[i] } else { high[i] };
-                // Nothing but a finite number is zero times zero.
-                finite &= p[i].into() * 0.0 == 0.0;
-            }
+
+    #[inline(always)]
+    fn take(&mut self, numbers: [T; LANES]) {
+        for (i, number) in numbers.into_iter().enumerate() {
+            self.low[i] = if number < self.low[i] { number } else { self.low[i] };
+            self.high[i] = if number > self.high[i] { number } else { self.high[i] };
+            // Nothing but a finite number is zero times zero.
+            self.zero[i] = self.zero[i] + number * T::default();
         }
-        from += LANES;
     }
-    let vector = |p: [T; 2]| DVec2::from(p.map(Into::into));
-    let low = low.into_iter().map(vector).fold(DVec2::INFINITY, DVec2::min);
-    let high = high.into_iter().map(vector).fold(DVec2::NEG_INFINITY, DVec2::max);
-    finite.then_some((low, high))
+
+    /// The extremes of each so many numbers, if all were finite.
+    fn of_each<const N: usize>(&self) -> Option<[[f64; 2]; N]> {
+        let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; N];
+        for i in 0..LANES {
+            let [low, high] = &mut found[i % N];
+            (*low, *high) = (low.min(self.low[i].into()), high.max(self.high[i].into()));
+        }
+        self.zero.iter().all(|&zero| zero.into() == 0.0).then_some(found)
+    }
+}
+
+/// The least and the greatest of numbers, if all are finite and there are any.
+fn extremes<T>(numbers: &[T]) -> Option<[f64; 2]>
+where
+    T: Copy + Default + PartialOrd + Into<f64> + Mul<Output = T> + Add<Output = T>,
+{
+    let mut found = Extremes::new([*numbers.first()?; LANES]);
+    let (groups, rest) = numbers.as_chunks::<LANES>();
+    groups.iter().for_each(|&group| found.take(group));
+    rest.iter().for_each(|&number| found.take([number; LANES]));
+    found.of_each().map(|[of_all]| of_all)
+}
+
+/// Those of the abscissae and of the ordinates of points.
+#[inline(always)]
+fn extremes_of_pairs<P, T>(points: &[P], pair: impl Fn(&P) -> [T; 2]) -> Option<([f64; 2], [f64; 2])>
+where
+    T: Copy + Default + PartialOrd + Into<f64> + Mul<Output = T> + Add<Output = T>,
+{
+    let alternating = |points: [&P; LANES / 2]| {
+        let pairs = points.map(&pair);
+        std::array::from_fn(|i| pairs[i / 2][i % 2])
+    };
+    let mut found = Extremes::new(alternating([points.first()?; LANES / 2]));
+    let (groups, rest) = points.as_chunks::<{ LANES / 2 }>();
+    groups.iter().for_each(|group| found.take(alternating(group.each_ref())));
+    rest.iter().for_each(|point| found.take(alternating([point; LANES / 2])));
+    found.of_each().map(|[x, y]| (x, y))
 }
 
 macro_rules! from_slices {

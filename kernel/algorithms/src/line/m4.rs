@@ -4,6 +4,9 @@
 use crate::path::{LARGEST, is_usable};
 use glam::DVec2;
 
+/// As many vertices are looked at together, without a branch between them.
+const BLOCK: usize = 8;
+
 /// Gives the first, the lowest, the highest and the last vertex of each run of vertices within one column.
 ///
 /// Columns are `tolerance` wide and begin at whole multiples of it. Suits a line whose x goes forward in small steps,
@@ -86,24 +89,39 @@ impl Run {
     fn take_some(&mut self, path: &[DVec2]) -> usize {
         let (left, right) = self.column;
         let (mut low, mut high) = (self.lowest.1.y, self.highest.1.y);
+        // Where an extreme is, or where the block begins that it is in.
         let (mut lowest, mut highest) = (None, None);
         let mut taken = 0;
-        for (i, &p) in path.iter().enumerate() {
+        let (blocks, _) = path.as_chunks::<BLOCK>();
+        for block in blocks {
+            let Some(range) = range_within(block, [left, -LARGEST], [right, LARGEST.next_up()]) else {
+                break;
+            };
+            if range.0 < low {
+                (low, lowest) = (range.0, Some(taken));
+            }
+            if range.1 > high {
+                (high, highest) = (range.1, Some(taken));
+            }
+            taken += BLOCK;
+        }
+        for &p in &path[taken..] {
             if !(left <= p.x && p.x < right && p.y.abs() <= LARGEST) {
                 break;
             }
             if p.y < low {
-                (low, lowest) = (p.y, Some(i));
+                (low, lowest) = (p.y, Some(taken));
             }
             if p.y > high {
-                (high, highest) = (p.y, Some(i));
+                (high, highest) = (p.y, Some(taken));
             }
-            taken = i + 1;
+            taken += 1;
         }
-        if let Some(i) = lowest {
+        let found = |from: usize, y: f64| path[from..].iter().position(|p| p.y == y).map(|i| from + i);
+        if let Some(i) = lowest.and_then(|from| found(from, low)) {
             self.lowest = (self.count + i as u64, path[i]);
         }
-        if let Some(i) = highest {
+        if let Some(i) = highest.and_then(|from| found(from, high)) {
             self.highest = (self.count + i as u64, path[i]);
         }
         if taken > 0 {
@@ -146,6 +164,22 @@ impl Run {
     }
 }
 
+/// The least and the greatest ordinate of vertices, if all of them lie between two corners, the second one not included.
+#[inline]
+fn range_within(block: &[DVec2; BLOCK], least: [f64; 2], beyond: [f64; 2]) -> Option<(f64, f64)> {
+    // The abscissae are compared in vain, so that both coordinates go through the same instructions.
+    let (mut low, mut high) = (block[0].to_array(), block[0].to_array());
+    let mut inside = [true; 2];
+    for p in block.iter().map(DVec2::to_array) {
+        for i in 0..2 {
+            inside[i] &= (p[i] >= least[i]) & (p[i] < beyond[i]);
+            low[i] = if p[i] < low[i] { p[i] } else { low[i] };
+            high[i] = if p[i] > high[i] { p[i] } else { high[i] };
+        }
+    }
+    (inside[0] & inside[1]).then_some((low[1], high[1]))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -156,9 +190,11 @@ mod tests {
         let mut random = Xorshift::new(12);
         for round in 0..40 {
             let mut x = 0.0;
+            // A few vertices in a column, or many more than a block.
+            let reach = if round % 2 == 0 { 0.2 } else { 0.02 };
             let mut path: Vec<DVec2> = (0..300)
                 .map(|_| {
-                    let step = random.point(-0.05, 0.2);
+                    let step = random.point(-0.25 * reach, reach);
                     x += step.x;
                     DVec2::new(x, random.point(0.0, 50.0).y)
                 })
