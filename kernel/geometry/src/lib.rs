@@ -8,6 +8,7 @@
 //!
 //! Conventions: *y* points up in every space, angles are radians and positive anticlockwise.
 
+mod extremes;
 mod long_line;
 mod map;
 mod map3;

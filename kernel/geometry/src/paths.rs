@@ -1,5 +1,6 @@
 //! Sets of polygonal paths: what polylines, rings of areas and strokes of characters have in common.
 
+use crate::extremes::Extremes;
 use crate::{Map, Pieces, Point, Rect, Space};
 use glam::DVec2;
 use std::convert::Infallible;
@@ -41,15 +42,28 @@ impl<'a, S: Space> Paths<'a, S> {
         self.points.is_empty()
     }
 
-    /// The smallest rectangle around all points, or none for an empty set.
+    /// The smallest rectangle around all points that are numbers, or none for an empty set.
+    #[inline]
     pub fn bounds(&self) -> Option<Rect<S>> {
-        let first = *self.points.first()?;
-        let (mut lo, mut hi) = (first, first);
-        for &p in self.points {
-            lo = lo.min(p);
-            hi = hi.max(p);
+        /// So few points are compared one after the other.
+        const FEW: usize = 16;
+        if self.points.len() > FEW {
+            return Some(self.bounds_of_many());
         }
-        Some(Rect { min: Point::from_vec(lo), max: Point::from_vec(hi) })
+        self.points.first()?;
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for p in self.points.iter().map(DVec2::to_array) {
+            for i in [0, 1] {
+                low[i] = if p[i] < low[i] { p[i] } else { low[i] };
+                high[i] = if p[i] > high[i] { p[i] } else { high[i] };
+            }
+        }
+        Some(Rect { min: Point::from_vec(low.into()), max: Point::from_vec(high.into()) })
+    }
+
+    fn bounds_of_many(&self) -> Rect<S> {
+        let (x, y) = Extremes::of_pairs(self.points, DVec2::to_array);
+        Rect { min: Point::new(x.low, y.low), max: Point::new(x.high, y.high) }
     }
 }
 

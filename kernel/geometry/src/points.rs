@@ -1,8 +1,9 @@
 //! The arrays of points that applications hand over, as they are.
 
+use crate::extremes::Extremes;
 use crate::{Point, Rect, Wc};
 use glam::{DAffine2, DVec2};
-use std::ops::{Add, Mul, Range};
+use std::ops::Range;
 
 /// A view of an array of points in one of the layouts that callers have. The normalization transformation is
 /// the pass that reads it; nothing is copied before.
@@ -90,14 +91,15 @@ impl<'a> Points<'a> {
 
     /// The smallest rectangle around all points, or none if one of them is not finite or there is none.
     pub fn bounds(&self) -> Option<Rect<Wc>> {
-        let ([low_x, high_x], [low_y, high_y]) = match *self {
-            Points::Tuples(p) => extremes_of_pairs(p, |&(x, y)| [x, y]),
-            Points::Arrays(p) => extremes_of_pairs(p, |&p| p),
-            Points::Singles(p) => extremes_of_pairs(p, |&p| p),
-            Points::SplitSingles(x, y) => Some((extremes(&x[..self.len()])?, extremes(&y[..self.len()])?)),
-            Points::Split(x, y) => Some((extremes(&x[..self.len()])?, extremes(&y[..self.len()])?)),
-        }?;
-        Some(Rect { min: Point::new(low_x, low_y), max: Point::new(high_x, high_y) })
+        let (x, y) = match *self {
+            Points::Tuples(p) => Extremes::of_pairs(p, |&(x, y)| [x, y]),
+            Points::Arrays(p) => Extremes::of_pairs(p, |&p| p),
+            Points::Singles(p) => Extremes::of_pairs(p, |&p| p),
+            Points::SplitSingles(x, y) => (Extremes::of(&x[..self.len()]), Extremes::of(&y[..self.len()])),
+            Points::Split(x, y) => (Extremes::of(&x[..self.len()]), Extremes::of(&y[..self.len()])),
+        };
+        let bounds = || Rect { min: Point::new(x.low, y.low), max: Point::new(x.high, y.high) };
+        (x.finite && y.finite && !self.is_empty()).then(bounds)
     }
 
     /// Calls `each` with every point in turn.
@@ -125,72 +127,6 @@ fn add_mapped(map: &DAffine2, points: impl Iterator<Item = DVec2>, images: &mut 
         image
     }));
     finite
-}
-
-/// As many numbers are compared side by side, so that none waits for the one before.
-const LANES: usize = 8;
-
-/// The least and the greatest of numbers that come many at a time.
-struct Extremes<T> {
-    low: [T; LANES],
-    high: [T; LANES],
-    /// Zero as long as all numbers are finite.
-    zero: [T; LANES],
-}
-
-impl<T: Copy + Default + PartialOrd + Into<f64> + Mul<Output = T> + Add<Output = T>> Extremes<T> {
-    fn new(first: [T; LANES]) -> Self {
-        Extremes { low: first, high: first, zero: [T::default(); LANES] }
-    }
-
-    #[inline(always)]
-    fn take(&mut self, numbers: [T; LANES]) {
-        for (i, number) in numbers.into_iter().enumerate() {
-            self.low[i] = if number < self.low[i] { number } else { self.low[i] };
-            self.high[i] = if number > self.high[i] { number } else { self.high[i] };
-            // Nothing but a finite number is zero times zero.
-            self.zero[i] = self.zero[i] + number * T::default();
-        }
-    }
-
-    /// The extremes of each so many numbers, if all were finite.
-    fn of_each<const N: usize>(&self) -> Option<[[f64; 2]; N]> {
-        let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; N];
-        for i in 0..LANES {
-            let [low, high] = &mut found[i % N];
-            (*low, *high) = (low.min(self.low[i].into()), high.max(self.high[i].into()));
-        }
-        self.zero.iter().all(|&zero| zero.into() == 0.0).then_some(found)
-    }
-}
-
-/// The least and the greatest of numbers, if all are finite and there are any.
-fn extremes<T>(numbers: &[T]) -> Option<[f64; 2]>
-where
-    T: Copy + Default + PartialOrd + Into<f64> + Mul<Output = T> + Add<Output = T>,
-{
-    let mut found = Extremes::new([*numbers.first()?; LANES]);
-    let (groups, rest) = numbers.as_chunks::<LANES>();
-    groups.iter().for_each(|&group| found.take(group));
-    rest.iter().for_each(|&number| found.take([number; LANES]));
-    found.of_each().map(|[of_all]| of_all)
-}
-
-/// Those of the abscissae and of the ordinates of points.
-#[inline(always)]
-fn extremes_of_pairs<P, T>(points: &[P], pair: impl Fn(&P) -> [T; 2]) -> Option<([f64; 2], [f64; 2])>
-where
-    T: Copy + Default + PartialOrd + Into<f64> + Mul<Output = T> + Add<Output = T>,
-{
-    let alternating = |points: [&P; LANES / 2]| {
-        let pairs = points.map(&pair);
-        std::array::from_fn(|i| pairs[i / 2][i % 2])
-    };
-    let mut found = Extremes::new(alternating([points.first()?; LANES / 2]));
-    let (groups, rest) = points.as_chunks::<{ LANES / 2 }>();
-    groups.iter().for_each(|group| found.take(alternating(group.each_ref())));
-    rest.iter().for_each(|point| found.take(alternating([point; LANES / 2])));
-    found.of_each().map(|[x, y]| (x, y))
 }
 
 macro_rules! from_slices {

@@ -64,8 +64,13 @@ impl Gks {
         self.check_state(F)?;
         let points = points.into();
         at_least(F, &points, 1)?;
-        self.normalize(&points, 1, false);
-        self.output_paths(F, |paths| Shape::Polymarker(paths.points))
+        // Markers have nothing to do with one another: a great many need not be held together, unless a segment does.
+        let most = if self.open_segment.is_some() { points.len() } else { LONG };
+        for from in (0..points.len()).step_by(most) {
+            self.normalize(&points.part(from..from + most), 1, false);
+            self.output_paths(F, |paths| Shape::Polymarker(paths.points))?;
+        }
+        Ok(())
     }
 
     /// TEXT: a string of characters at a position in world coordinates.

@@ -26,6 +26,8 @@ use glam::DVec2;
 
 /// The most dashes that one polyline is cut into; beyond, it is drawn solid.
 const MOST_DASHES: usize = 10_000_000;
+/// As many markers are mapped and drawn at a time: their positions stay in the cache of the processor.
+const MARKERS: usize = 1 << 14;
 
 /// Paints items on one device; owns the scratch space that makes painting free of allocations.
 #[derive(Default)]
@@ -72,6 +74,23 @@ impl Canvas<'_> {
     pub(crate) fn tolerance(&self) -> f64 {
         self.surface.resolution * 0.1
     }
+}
+
+/// Puts the images of points that lie inside of a rectangle at the beginning of `images`, and answers how many there are.
+fn map_within(map: &Map<Ndc, Du>, rect: &Rect<Du>, points: &[DVec2], images: &mut Vec<DVec2>) -> usize {
+    if images.len() < points.len() {
+        images.resize(points.len(), DVec2::ZERO);
+    }
+    let mut count = 0;
+    for &p in points {
+        let p = map.0.transform_point2(p);
+        let is_inside =
+            (p.x >= rect.min.x()) & (p.x <= rect.max.x()) & (p.y >= rect.min.y()) & (p.y <= rect.max.y());
+        // The next one is put over it if it does not count.
+        images[count] = p;
+        count += usize::from(is_inside);
+    }
+    count
 }
 
 /// What is to be clipped away of a mark, given its bounds: everything, nothing, or what crosses.
@@ -191,10 +210,14 @@ impl Painter {
         let style = lower::marker::style(look, canvas);
         let window = canvas.clip_map.rect(&canvas.window);
         let mut mapped = std::mem::take(&mut self.mapped);
-        mapped.clear();
-        let inside = |p: &DVec2| clip.contains(Point::from_vec(*p));
-        mapped.add(positions.iter().map(|&p| canvas.map.0.transform_point2(p)).filter(inside));
-        let done = self.markers(&mut mapped.points, &style, &window, canvas);
+        let mut done = Ok(());
+        for positions in positions.chunks(MARKERS) {
+            let count = map_within(&canvas.map, clip, positions, &mut mapped.points);
+            done = self.markers(&mut mapped.points[..count], &style, &window, canvas);
+            if done.is_err() {
+                break;
+            }
+        }
         self.mapped = mapped;
         done
     }

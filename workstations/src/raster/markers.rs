@@ -1,9 +1,9 @@
 //! Markers: stamped, and dots put into the picture pixel by pixel.
 
 use super::bitmap::Bitmap;
-use super::composite::{Ink, pixel};
-use super::stamp::{LARGEST, Stamps, dot};
-use super::stroke::Stroke;
+use super::composite::{Ink, Pixel, pixel};
+use super::stamp::{LARGEST, Stamps};
+use super::stroke::{GRID_PLACES, Stroke, grid_steps};
 use gks_algorithms::coverage::SampleMask;
 use gks_algorithms::ellipse::flatten;
 use gks_pipeline::device::MarkerStyle;
@@ -118,8 +118,7 @@ impl Markers {
         let strength = if style.width >= 0.5 { 255 } else { strength };
         let ink = Ink::new(above, strength);
         if style.kind == 1 && style.width < WIDEST_DOT {
-            positions.iter().for_each(|&at| dot(bitmap, at, &ink, ink.whole()));
-            return;
+            return dots(bitmap, positions, &ink);
         }
         let known = |set: &Set| set.kind == style.kind && set.size == style.size && set.width == width;
         let index = self.sets.iter().position(known).unwrap_or_else(|| {
@@ -151,6 +150,36 @@ impl Markers {
         few.iter().for_each(|&at| put(at));
         for chunk in many.chunks(CHUNK) {
             bands.sort(chunk, height).for_each(&mut put);
+        }
+    }
+}
+
+/// Puts ink over the pixels that contain points.
+fn dots(bitmap: &mut Bitmap, positions: &[DVec2], ink: &Ink) {
+    let whole = ink.whole();
+    // Apart, so that a pixel is stored as a whole.
+    if ink.is_opaque() {
+        each_pixel(bitmap, positions, |pixel| *pixel = whole);
+    } else {
+        each_pixel(bitmap, positions, |pixel| ink.over_samples(pixel, u8::MAX));
+    }
+}
+
+#[inline(always)]
+fn each_pixel(bitmap: &mut Bitmap, positions: &[DVec2], mut put: impl FnMut(&mut Pixel)) {
+    let (width, height) = bitmap.size();
+    let (last, beyond) =
+        ((width - 1, height - 1), (u64::from(width) << GRID_PLACES, u64::from(height) << GRID_PLACES));
+    let pixels = bitmap.pixels_mut();
+    for at in positions {
+        let (x, y) = (grid_steps(at.x), grid_steps(at.y));
+        if x <= beyond.0 && y <= beyond.1 {
+            // The far edges of the display surface belong to the last pixels.
+            let (column, row) =
+                (((x >> GRID_PLACES) as u32).min(last.0), ((y >> GRID_PLACES) as u32).min(last.1));
+            if let Some(pixel) = pixels.get_mut(row as usize * width as usize + column as usize) {
+                put(pixel);
+            }
         }
     }
 }

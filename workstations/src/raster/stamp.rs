@@ -171,20 +171,3 @@ impl Stamp {
         }
     }
 }
-
-/// Puts a colour over the pixel that contains a point.
-#[inline]
-pub(super) fn dot(bitmap: &mut Bitmap, at: DVec2, ink: &Ink, above: Pixel) {
-    let (width, height) = bitmap.size();
-    let at = settled(at);
-    if at.x >= 0.0 && at.y >= 0.0 && at.x <= f64::from(width) && at.y <= f64::from(height) {
-        // The far edges of the display surface belong to the last pixels.
-        let (column, row) = ((at.x as u32).min(width - 1), (at.y as u32).min(height - 1));
-        let below = &mut bitmap.pixels_mut()[row as usize * width as usize + column as usize];
-        if above[3] == 255 {
-            *below = above;
-        } else {
-            ink.over_samples(below, u8::MAX);
-        }
-    }
-}

@@ -14,14 +14,24 @@ const SMALLEST_GAP: f64 = 0.02;
 /// A miter is at most this many times as long as the line is wide.
 const MITER_LIMIT: f64 = 10.0;
 
+/// The binary places of a coordinate on the grid of [`settled`].
+pub(super) const GRID_PLACES: u32 = 12;
+/// Adding this leaves no room for anything finer than the grid: a rounding that costs two additions.
+const GRID: f64 = (3u64 << 51) as f64 / (1u64 << GRID_PLACES) as f64;
+
 /// A point on a grid so fine that nobody sees it, 4096 to the pixel. Points that differ by the rounding of their
 /// arithmetic only, as the same point does before and after a metafile, meet there, and so have the same samples.
 #[inline]
 pub(super) fn settled(p: DVec2) -> DVec2 {
-    // Adding this leaves no room for anything finer: a rounding that costs two additions.
-    const GRID: f64 = (3u64 << 51) as f64 / 4096.0;
     let settled = (p + GRID) - GRID;
     if p.abs().max_element() < GRID * 0.25 { settled } else { p }
+}
+
+/// A coordinate on that grid in steps; beyond `u32` if it is negative, far away or no number.
+#[inline]
+pub(super) fn grid_steps(coordinate: f64) -> u64 {
+    // The last bits of a sum without room for a fraction are a whole number.
+    (coordinate + GRID).to_bits().wrapping_sub(GRID.to_bits())
 }
 
 /// Follows paths with a pen and gives the convex polygons that make up the line. They overlap.
