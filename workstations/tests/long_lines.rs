@@ -45,7 +45,8 @@ fn long_lines_and_lines_are_the_same() {
         let mut broken = whole.clone();
         broken[count / 2].1 = f64::NAN;
         for points in [&whole, &broken] {
-            let line = LongLine::new(Points::from(points), normalization).mapped(&map);
+            let mut parts = Vec::new();
+            let line = LongLine::new(Points::from(points), normalization, &mut parts).mapped(&map);
             assert_eq!(line.is_whole(), std::ptr::eq(points, &whole));
             let mut paths = PathBuf::new();
             paths.add_pieces(&line);

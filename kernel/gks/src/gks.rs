@@ -5,7 +5,7 @@ use crate::input::{Devices, EventQueue};
 use crate::metafile::Items;
 use crate::normalization::Normalization;
 use crate::{Error, Function, OperatingState, Result};
-use gks_geometry::{Ndc, PathBuf};
+use gks_geometry::{Ndc, PathBuf, Rect, Wc};
 use gks_pipeline::description::Catalogue;
 use gks_pipeline::item::{Item, Shape};
 use gks_pipeline::look::Look;
@@ -40,6 +40,8 @@ pub struct Gks {
     /// The segment that primitives go to, in the state SGOP.
     pub(crate) open_segment: Option<OpenSegment>,
     pub(crate) paths: PathBuf<Ndc>,
+    /// Scratch space for the bounds of the parts of a long polyline.
+    pub(crate) parts: Vec<Option<Rect<Wc>>>,
     pub(crate) on_message: Option<MessageHandler>,
 }
 
@@ -123,6 +125,7 @@ impl Gks {
             segments: Segments::new(),
             open_segment: None,
             paths: PathBuf::new(),
+            parts: Vec::new(),
             on_message: None,
         }
     }

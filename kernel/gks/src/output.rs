@@ -31,8 +31,8 @@ impl Gks {
     /// Draws a polyline that is in no segment on every active workstation; its points are copied only if a
     /// workstation has to hold them.
     fn long_polyline(&mut self, points: &Points<'_>) -> Result<()> {
-        let Gks { workstations, segments, look, normalization, pick, paths, .. } = self;
-        let line = LongLine::new(*points, normalization.map);
+        let Gks { workstations, segments, look, normalization, pick, paths, parts, .. } = self;
+        let line = LongLine::new(*points, normalization.map, parts);
         let clip = normalization.clip;
         paths.clear();
         let mut draw = |id, workstation: &mut Workstation| {

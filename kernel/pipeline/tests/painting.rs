@@ -141,7 +141,8 @@ fn long_lines_are_cut_as_short_ones_are() {
     points[3072].1 = 0.1;
     points[4000].0 = f64::NAN;
     points[4500].1 = f64::INFINITY;
-    let line = LongLine::new(Points::from(&points), Map::IDENTITY);
+    let mut parts = Vec::new();
+    let line = LongLine::new(Points::from(&points), Map::IDENTITY, &mut parts);
     let mut held = PathBuf::new();
     held.add_pieces(&line);
     let clip = Rect::new(0.1, 0.85, 0.3, 0.7);

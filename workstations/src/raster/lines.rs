@@ -6,12 +6,13 @@
 
 use super::bitmap::Bitmap;
 use super::composite::{Ink, Pixel, over, pixel};
+use super::dense::Dense;
 use super::lone::Lone;
 use super::stroke::{Stroke, settled};
-use gks_algorithms::coverage::SampleMask;
+use gks_algorithms::coverage::{Brush, SampleMask};
 use gks_algorithms::line::{M4, Upright, klee, m4};
 use gks_algorithms::rect::IRect;
-use gks_geometry::{Du, LongLine, PathBuf, Paths, Pieces};
+use gks_geometry::{Du, LongLine, PathBuf, Paths, Rect};
 use gks_pipeline::device::Pen;
 use gks_pipeline::look::Join;
 use glam::{DVec2, IVec2};
@@ -25,6 +26,8 @@ const TOLERANCE: f64 = 0.125;
 /// Vertices are left out of paths that have more points than this for each column of pixels: four for each column that
 /// samples are in. Paths of fewer points would hardly become shorter, and keep their corners as they are.
 const DENSE: usize = 32;
+/// The largest radius of a brush, in pixels: it has a table of all distances.
+const WIDEST_BRUSH: f64 = 64.0;
 /// The bounds of paths of no more points than this are looked for.
 const SHORT: usize = 4096;
 /// The most pixels for which samples are kept at a time: 16 MiB of them.
@@ -77,6 +80,8 @@ pub(super) struct Lines {
 struct Nib {
     mask: SampleMask,
     stroke: Stroke,
+    /// What dense paths are drawn with if the pen is round.
+    brush: Option<Brush>,
     /// Short upright paths, of which many lie one upon the other.
     uprights: Vec<Upright>,
 }
@@ -114,10 +119,14 @@ impl Lines {
         }
         let (width, ink) = visible(pen);
         let (columns, rows) = bitmap.size();
+        self.nib.stroke.begin(width, pen.cap, pen.join);
+        let reach = self.nib.stroke.reach() + 1.0;
+        let near = |rows: Range<f64>| Rect::new(0.0, columns.into(), rows.start, rows.end).grown(reach);
+        let is_dense = line.len_near(&near(0.0..rows.into())) > DENSE * columns as usize;
         self.fill(bitmap, IRect::of_size(columns as i32, rows as i32), &ink, |nib, rows| {
             nib.stroke.begin(width, pen.cap, pen.join);
             nib.stroke.keep_to(rows);
-            nib.follow_long(line, columns);
+            nib.follow_long(line, is_dense, &near(rows.start as f64..rows.end as f64));
         });
     }
 
@@ -196,17 +205,33 @@ impl Lines {
 
 impl Nib {
     fn new() -> Self {
-        Nib { mask: SampleMask::new(), stroke: Stroke::new(), uprights: Vec::new() }
+        Nib { mask: SampleMask::new(), stroke: Stroke::new(), brush: None, uprights: Vec::new() }
+    }
+
+    /// The brush that does what the pen does on a dense path, if there is one.
+    fn prepare_brush(&mut self) -> bool {
+        let radius = self.stroke.radius().filter(|&radius| radius <= WIDEST_BRUSH);
+        let known = |brush: &Brush| Some(brush.radius()) == radius;
+        self.brush = self.brush.take().filter(known).or_else(|| radius.map(Brush::new));
+        self.brush.is_some()
     }
 
     /// Adds the samples of paths on a raster of so many columns.
     fn follow(&mut self, paths: Paths<'_, Du>, columns: u32) {
         let dense = DENSE * columns as usize;
-        let Nib { mask, stroke, uprights } = self;
+        let is_brush = paths.points.len() > dense && self.prepare_brush();
+        let Nib { mask, stroke, brush, uprights } = self;
+        if let Some(brush) = brush.as_ref().filter(|_| is_brush) {
+            for path in paths.iter().filter(|path| path.len() > dense) {
+                let mut line = Dense::new(mask, brush);
+                line.follow(path);
+                line.end();
+            }
+        }
         let mut polygon = |ring: &[DVec2]| mask.polygon(ring);
         let are_dense = paths.points.len() > dense;
         uprights.clear();
-        for path in paths.iter() {
+        for path in paths.iter().filter(|path| !is_brush || path.len() <= dense) {
             if let Some(upright) = are_dense.then(|| upright(path, stroke)).flatten() {
                 uprights.push(upright);
             } else if path.len() > dense {
@@ -229,14 +254,23 @@ impl Nib {
         });
     }
 
-    /// Adds the samples of a line that is one path.
-    fn follow_long(&mut self, line: &LongLine<'_, Du>, columns: u32) {
-        let is_dense = line.len() > DENSE * columns as usize;
+    /// Adds the samples of a line that is one path, as far as they are near a rectangle.
+    fn follow_long(&mut self, line: &LongLine<'_, Du>, is_dense: bool, near: &Rect<Du>) {
+        if is_dense && self.prepare_brush() {
+            let Nib { mask, brush: Some(brush), .. } = self else { return };
+            let mut dense = Dense::new(mask, brush);
+            let done = line.pieces_near::<Infallible>(near, |piece| {
+                dense.follow(piece.points);
+                Ok(())
+            });
+            let Ok(()) = done;
+            return dense.end();
+        }
         let Nib { mask, stroke, .. } = self;
         let mut polygon = |ring: &[DVec2]| mask.polygon(ring);
         let join = stroke.replace_join(|join| if is_dense { without_needles(join) } else { join });
         let mut m4 = M4::new(TOLERANCE);
-        let done = line.pieces::<Infallible>(|piece| {
+        let done = line.pieces_near::<Infallible>(near, |piece| {
             if is_dense {
                 m4.all(piece.points, &mut |p| stroke.to(p, &mut polygon));
             } else {

@@ -111,6 +111,11 @@ impl Stroke {
         std::mem::replace(&mut self.join, join)
     }
 
+    /// The radius of the pen if it is round: what a line covers is then what a disc covers on its way.
+    pub(super) fn radius(&self) -> Option<f64> {
+        (self.cap == Cap::Round && self.join == Join::Round).then_some(self.half)
+    }
+
     /// Whether the corner of a line that turns back looks like the end of a line.
     pub(super) fn has_ends_like_corners(&self) -> bool {
         match self.join {

@@ -217,7 +217,11 @@ impl Device for TrueColour {
         let (width, height) = (self.layout.width, self.layout.height);
         match (&mark.form, mark.clip) {
             (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(*paths, pen),
-            (Form::LongLine(line, pen), None) if pen.dash.is_empty() => self.long_line(line, pen),
+            (Form::LongLine(line, pen), clip)
+                if pen.dash.is_empty() && (clip.is_none() || self.antialias && self.leaves_all(clip)) =>
+            {
+                self.long_line(line, pen);
+            }
             (Form::Area(rings, by, Fill::Solid(paint)), None) => self.area(*rings, *by, paint),
             (Form::Area(rings, by, Fill::Pattern(frame, grid)), clip) => {
                 self.pattern((*rings, rule(*by)), clip, (frame, grid));

@@ -2,7 +2,7 @@
 
 use crate::card::{page, paint};
 use crate::receiver::Receiver;
-use gks_geometry::{Du, LongLine, Map, Ndc, PathBuf, Points, Rect};
+use gks_geometry::{Du, LongLine, Map, Ndc, PathBuf, Points, Rect, Wc};
 use gks_pipeline::device::{Device, Drawn, Form, Mark, Pen};
 use gks_pipeline::look::{Cap, Join};
 use gks_workstations::options::Options;
@@ -46,10 +46,12 @@ fn spiral(count: usize, closed: bool) -> Vec<(f64, f64)> {
     points
 }
 
+type Parts = Vec<Option<Rect<Wc>>>;
+
 /// Points on the page in units of the devices, and the same as paths.
-fn line(points: &[(f64, f64)]) -> (LongLine<'_, Du>, PathBuf<Du>) {
+fn line<'a>(points: &'a [(f64, f64)], parts: &'a mut Parts) -> (LongLine<'a, Du>, PathBuf<Du>) {
     let map = Map::<Ndc, Du>::window_to_viewport(&Rect::UNIT, &Rect::new(20.0, 570.0, 30.0, 580.0));
-    let line = LongLine::new(Points::from(points), Map::IDENTITY).mapped(&map);
+    let line = LongLine::new(Points::from(points), Map::IDENTITY, parts).mapped(&map);
     let mut paths = PathBuf::new();
     paths.add_pieces(&line);
     (line, paths)
@@ -68,7 +70,8 @@ fn a_long_line_is_written_as_the_same_line_held() {
             (70_000, false, Cap::Projecting, &[3.0, 2.0]),
         ] {
             let points = spiral(count, closed);
-            let (line, paths) = line(&points);
+            let mut parts = Parts::new();
+            let (line, paths) = line(&points, &mut parts);
             let pen = pen(2.5, cap, dash);
             let options = Options::default();
             let one = document(format, &options, &Form::LongLine(line, pen));
@@ -84,7 +87,8 @@ fn reduction_makes_documents_short() {
         .map(|i| f64::from(i) * 1e-5)
         .map(|x| (x, 0.5 + 0.3 * (x * 30.0).sin() + 0.05 * (x * 1e7).sin()))
         .collect();
-    let (line, _) = line(&noisy);
+    let mut parts = Parts::new();
+    let (line, _) = line(&noisy, &mut parts);
     let form = Form::LongLine(line, pen(0.6, Cap::Butt, &[]));
     for format in FORMATS {
         let all = document(format, &Options::default(), &form).len();
@@ -98,7 +102,8 @@ fn reduction_makes_documents_short() {
 #[test]
 fn small_documents_are_smaller() {
     let points = spiral(100_000, false);
-    let (line, _) = line(&points);
+    let mut parts = Parts::new();
+    let (line, _) = line(&points, &mut parts);
     let form = Form::LongLine(line, pen(1.0, Cap::Butt, &[]));
     let fast = document("pdf", &Options::default(), &form).len();
     let small = document("pdf", &Options { small: true, ..Options::default() }, &form).len();
@@ -108,7 +113,8 @@ fn small_documents_are_smaller() {
 #[test]
 fn long_lines_are_let_go_on_the_way() {
     let points = spiral(500_000, false);
-    let (line, _) = line(&points);
+    let mut parts = Parts::new();
+    let (line, _) = line(&points, &mut parts);
     for format in ["svg", "pdf", "ps"] {
         let receiver = Receiver::default();
         let mut device = device(format, &receiver, &Options::default());
@@ -129,7 +135,8 @@ fn long_lines_are_let_go_on_the_way() {
 #[test]
 fn a_full_disk_ends_a_long_line() {
     let points = spiral(500_000, false);
-    let (line, _) = line(&points);
+    let mut parts = Parts::new();
+    let (line, _) = line(&points, &mut parts);
     for format in FORMATS {
         let receiver = Receiver::with_room(1 << 20);
         let mut device = device(format, &receiver, &Options::default());

@@ -5,7 +5,9 @@
 //! as a dense polyline does, counts once. Both keep nothing but their storage between two shapes.
 
 mod area_mask;
+mod brush;
 mod sample_mask;
 
 pub use area_mask::{AreaMask, Cover, Gain};
+pub use brush::Brush;
 pub use sample_mask::{SAMPLES, SampleMask};

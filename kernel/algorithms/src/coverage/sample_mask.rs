@@ -3,12 +3,13 @@
 
 use crate::rect::IRect;
 use glam::DVec2;
+use std::ops::Range;
 
 /// The number of sample points of a pixel.
 pub const SAMPLES: u32 = 64;
 
 /// Sample rows in a pixel, and sample columns.
-const SIDE: f64 = 8.0;
+pub(super) const SIDE: f64 = 8.0;
 /// The first sample of each sample row of a pixel; times a byte, it is that byte in every row.
 const EACH_ROW: u64 = 0x0101_0101_0101_0101;
 /// The fixed point numbers in which edges are followed.
@@ -181,6 +182,52 @@ impl SampleMask {
         let span = &mut self.spans[row];
         *span = (span.0.min(from), span.1.max(to));
         self.rows = (self.rows.0.min(row), self.rows.1.max(row + 1));
+    }
+
+    /// The sample rows of the window, counted from the top of the raster.
+    #[inline]
+    pub(super) fn window_rows(&self) -> Range<i64> {
+        i64::from(self.window.min.y) * SIDE as i64..i64::from(self.window.max.y) * SIDE as i64
+    }
+
+    /// Notes that there may be samples in some sample rows and columns of the raster; false if none of them is in the window.
+    /// The rows lie in the window.
+    #[inline]
+    pub(super) fn widen(&mut self, rows: Range<i64>, columns: Range<i64>) -> bool {
+        let columns = self.columns_within(columns);
+        if rows.is_empty() || columns.is_empty() {
+            return false;
+        }
+        let top = self.window_rows().start;
+        let (first, last) = ((rows.start - top) as usize >> 3, (rows.end - top + 7) as usize >> 3);
+        for span in &mut self.spans[first..last] {
+            *span = (span.0.min(columns.start >> 3), span.1.max((columns.end + 7) >> 3));
+        }
+        self.rows = (self.rows.0.min(first), self.rows.1.max(last));
+        true
+    }
+
+    /// Adds all samples of some sample rows and columns of the raster, for which [`SampleMask::widen`] was called.
+    #[inline]
+    pub(super) fn add_rows(&mut self, rows: Range<i64>, columns: Range<i64>) {
+        let columns = self.columns_within(columns);
+        let top = self.window_rows().start;
+        let mut at = rows.start;
+        while at < rows.end {
+            let (row, within) = ((at - top) as usize >> 3, (at - top) & 7);
+            let count = (8 - within).min(rows.end - at);
+            let chosen = (EACH_ROW >> (8 * (8 - count))) << (8 * within);
+            add(&mut self.bits[row * self.stride..][..self.stride], columns.start, columns.end, chosen);
+            at += count;
+        }
+    }
+
+    /// The sample columns in the window, counted from its left side.
+    #[inline]
+    fn columns_within(&self, columns: Range<i64>) -> Range<u32> {
+        let left = i64::from(self.window.min.x) * SIDE as i64;
+        let within = |column: i64| (column - left).clamp(0, self.stride as i64 * 8) as u32;
+        within(columns.start)..within(columns.end)
     }
 
     /// Adds a polygon some of whose vertices are far away, after what is far is cut off.

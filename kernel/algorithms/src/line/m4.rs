@@ -1,11 +1,9 @@
 //! U. Jugel, Z. Jerzak, G. Hackenbroich and V. Markl, "M4: A Visualization-Oriented Time Series Data Aggregation",
 //! Proceedings of the VLDB Endowment 7(10), 2014: reducing a polyline to four vertices a column.
 
-use crate::path::{LARGEST, is_usable};
+use super::column::{BLOCK, is_within, range_within};
+use crate::path::is_usable;
 use glam::DVec2;
-
-/// As many vertices are looked at together, without a branch between them.
-const BLOCK: usize = 8;
 
 /// Gives the first, the lowest, the highest and the last vertex of each run of vertices within one column.
 ///
@@ -34,7 +32,7 @@ impl M4 {
     /// Goes on to the next vertex.
     #[inline]
     pub fn to(&mut self, p: DVec2, emit: &mut impl FnMut(DVec2)) {
-        if self.run.column.0 <= p.x && p.x < self.run.column.1 && p.y.abs() <= LARGEST {
+        if is_within(p, self.run.column.0, self.run.column.1) {
             return self.run.take(p);
         }
         self.run.give(emit);
@@ -94,7 +92,7 @@ impl Run {
         let mut taken = 0;
         let (blocks, _) = path.as_chunks::<BLOCK>();
         for block in blocks {
-            let Some(range) = range_within(block, [left, -LARGEST], [right, LARGEST.next_up()]) else {
+            let Some(range) = range_within(block, left, right) else {
                 break;
             };
             if range.0 < low {
@@ -105,10 +103,7 @@ impl Run {
             }
             taken += BLOCK;
         }
-        for &p in &path[taken..] {
-            if !(left <= p.x && p.x < right && p.y.abs() <= LARGEST) {
-                break;
-            }
+        for p in path[taken..].iter().take_while(|p| is_within(**p, left, right)) {
             if p.y < low {
                 (low, lowest) = (p.y, Some(taken));
             }
@@ -162,22 +157,6 @@ impl Run {
             emit(self.last);
         }
     }
-}
-
-/// The least and the greatest ordinate of vertices, if all of them lie between two corners, the second one not included.
-#[inline]
-fn range_within(block: &[DVec2; BLOCK], least: [f64; 2], beyond: [f64; 2]) -> Option<(f64, f64)> {
-    // The abscissae are compared in vain, so that both coordinates go through the same instructions.
-    let (mut low, mut high) = (block[0].to_array(), block[0].to_array());
-    let mut inside = [true; 2];
-    for p in block.iter().map(DVec2::to_array) {
-        for i in 0..2 {
-            inside[i] &= (p[i] >= least[i]) & (p[i] < beyond[i]);
-            low[i] = if p[i] < low[i] { p[i] } else { low[i] };
-            high[i] = if p[i] > high[i] { p[i] } else { high[i] };
-        }
-    }
-    (inside[0] & inside[1]).then_some((low[1], high[1]))
 }
 
 #[cfg(test)]

@@ -11,6 +11,7 @@
 //! reduced separately; with no tolerance hardly anything is left out.
 
 mod bresenham;
+mod column;
 mod dash;
 mod dda;
 mod klee;
@@ -19,6 +20,7 @@ mod octant;
 mod sklansky_gonzalez;
 
 pub use bresenham::bresenham;
+pub use column::{Stay, stay};
 pub use dash::dash;
 pub use dda::dda;
 pub use klee::{Upright, klee};

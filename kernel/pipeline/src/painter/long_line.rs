@@ -4,7 +4,7 @@ use super::{Canvas, Painter, Visibility, must, visibility};
 use crate::device::{DeviceError, Drawn, Form, Pen};
 use crate::look::Look;
 use gks_algorithms as algorithms;
-use gks_geometry::{Du, LongLine, Ndc, Paths, Pieces, Rect};
+use gks_geometry::{Du, LongLine, Ndc, Paths, Rect};
 
 impl Painter {
     /// Offers a long line as such, or not at all; a polyline is the same line.
@@ -49,7 +49,7 @@ impl Painter {
         let path = &mut held.points;
         let mut last = None;
         clipped.clear();
-        line.pieces(|piece| {
+        line.pieces_near(clip, |piece| {
             // A piece goes on where the one before it ended.
             path.clear();
             path.extend(last.filter(|_| !piece.starts));

@@ -133,7 +133,8 @@ fn pixels_are_the_same_by_any_number_of_threads() {
     let tuples: Vec<(f64, f64)> = curve.iter().map(|&p| p.into()).collect();
     let half = Paint { colour: Colour { alpha: 0.5, ..Colour::BLACK }, index: 2 };
     let pen = |width| Pen { paint: half, width, dash: &[], cap: Cap::Round, join: Join::Round };
-    let line = LongLine::new(Points::from(&tuples), Map::IDENTITY).mapped(&Map::IDENTITY);
+    let mut parts = Vec::new();
+    let line = LongLine::new(Points::from(&tuples), Map::IDENTITY, &mut parts).mapped(&Map::IDENTITY);
     let pictures = |threads| {
         let draw = |path: &[DVec2], width| {
             let ends = [path.len() as u32];
