@@ -108,3 +108,73 @@ fn sweep(mask: &mut SampleMask, brush: &Brush, upright: &Upright) {
         mask.sweep(brush, upright.column as i64, upright.low, upright.high);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gks_algorithms::rect::IRect;
+
+    fn distance(p: DVec2, a: DVec2, b: DVec2) -> f64 {
+        let along = b - a;
+        let t = ((p - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        p.distance(a + along * t)
+    }
+
+    /// Paths that stay in columns, go on in small steps, leap and come back, on a picture of 24 by 20 pixels.
+    fn paths() -> Vec<Vec<DVec2>> {
+        let noise = |i: u32| f64::from(i * 7919 % 1009) / 1009.0;
+        let noisy = |size: f64| {
+            move |i: u32| {
+                DVec2::new(
+                    2.0 + f64::from(i) * 0.02,
+                    10.0 + 5.0 * (f64::from(i) * 0.01).sin() + size * noise(i),
+                )
+            }
+        };
+        let leaps = |i: u32| DVec2::new(1.0 + 22.0 * noise(i), -3.0 + 25.0 * noise(i * 31));
+        let loops =
+            |i: u32| DVec2::new(12.0, 10.0) + DVec2::from_angle(f64::from(i) * 0.01) * f64::from(i) * 0.01;
+        let backwards = |i: u32| DVec2::new(30.0 - f64::from(i) * 0.11, 12.0 + 3.0 * noise(i));
+        vec![
+            (0..1000).map(noisy(0.0)).collect(),
+            (0..1000).map(noisy(4.0)).collect(),
+            (0..9).map(leaps).collect(),
+            (0..1000).map(loops).collect(),
+            (0..300).map(backwards).collect(),
+            vec![DVec2::new(7.3, 7.7)],
+        ]
+    }
+
+    #[test]
+    fn what_is_covered_lies_within_the_radius_of_the_path() {
+        let mut mask = SampleMask::new();
+        for (number, path) in paths().into_iter().enumerate() {
+            for radius in [0.5, 2.2] {
+                mask.begin(IRect::of_size(24, 20));
+                let brush = Brush::new(radius);
+                let mut dense = Dense::new(&mut mask, &brush);
+                // In parts, with something that is no number between them.
+                let (one, other) = path.split_at(path.len() / 3);
+                dense.follow(one);
+                dense.follow(&[DVec2::NAN]);
+                dense.follow(other);
+                dense.end();
+                let mut words = vec![0u64; 24 * 20];
+                mask.drain(|row, column, given| {
+                    let start = row as usize * 24 + column as usize;
+                    words[start..start + given.len()].copy_from_slice(given);
+                });
+                for i in 0..24 * 20 * 16 {
+                    // Every other sample of every other row.
+                    let (column, row) = (i % 96 * 2, i / 96 * 2);
+                    let sample = (DVec2::new(column as f64, row as f64) + 0.5) / 8.0;
+                    let near = path.windows(2).map(|w| distance(sample, w[0], w[1]));
+                    let away = near.fold(sample.distance(path[0]), f64::min);
+                    let covered = words[row / 8 * 24 + column / 8] >> (row % 8 * 8 + column % 8) & 1 == 1;
+                    let is_clear = (away - radius).abs() > 0.15;
+                    assert!(!is_clear || covered == (away < radius), "{number} {radius}: {sample} {away}");
+                }
+            }
+        }
+    }
+}
