@@ -232,20 +232,34 @@ impl AreaMask {
         let aside = quotient(y.abs_diff(y0) * run, fall) as i32;
         let x = if x0 <= x1 { x0 + aside } else { x0 - aside };
         for (row, (from, to), rise) in [(first, (x0, x), y - y0), (last, (x, x1), y1 - y)] {
-            let (left, right) = (from.min(to), from.max(to));
-            let column = left >> PLACES;
-            let (left, right) = (left & (STEPS - 1), right - (column << PLACES));
-            let across = right - STEPS;
-            let beyond = (quotient(across.max(0) as u32 * fall, run) as i32).min(rise);
-            let (here, beyond, places) = ((rise - beyond) * turn, beyond * turn, left + right.min(STEPS));
-            let (row, column) = (row as usize, column as usize);
-            self.touch(row, column, column + 2);
-            let start = row * self.stride + column;
-            if let Some([one, two, three]) = self.cells.get_mut(start..start + 3) {
-                *one += here * (2 * STEPS - places);
-                *two += here * places + beyond * (2 * STEPS - across);
-                *three += beyond * across;
-            }
+            let beyond = |across: i32| (quotient(across as u32 * fall, run) as i32).min(rise) * turn;
+            self.two_cells(row as usize, (from.min(to), from.max(to)), rise * turn, beyond);
+        }
+    }
+
+    /// Enters the part of a line in one row that reaches no farther than into the next column; `beyond` tells how far it goes
+    /// down while it goes so many steps aside there.
+    #[inline(always)]
+    fn two_cells(
+        &mut self,
+        row: usize,
+        (left, right): (i32, i32),
+        rise: i32,
+        beyond: impl FnOnce(i32) -> i32,
+    ) {
+        let column = left >> PLACES;
+        let (left, right) = (left & (STEPS - 1), right - (column << PLACES));
+        let across = right - STEPS;
+        let beyond = beyond(across.max(0));
+        let (here, places) = (rise - beyond, left + right.min(STEPS));
+        let column = column as usize;
+        self.touch(row, column, column + 2);
+        let start = row * self.stride + column;
+        // What lies right of the middle of the two ends is covered, and all of the next pixel.
+        if let Some([one, two, three]) = self.cells.get_mut(start..start + 3) {
+            *one += here * (2 * STEPS - places);
+            *two += here * places + beyond * (2 * STEPS - across);
+            *three += beyond * across;
         }
     }
 
@@ -261,22 +275,22 @@ impl AreaMask {
     #[inline]
     fn piece(&mut self, row: usize, (x0, x1): (i32, i32), rise: i32, steepness: i64) {
         let (left, right) = if x0 <= x1 { (x0, x1) } else { (x1, x0) };
+        let (whole, sign) = (i64::from(rise.abs()), rise.signum());
+        if right - left <= STEPS {
+            let beyond = |across: i32| ((i64::from(across) * steepness) >> 32).min(whole) as i32 * sign;
+            return self.two_cells(row, (left, right), rise, beyond);
+        }
         let column = |x: i32| x as usize / STEPS as usize;
-        let (first, last) = (column(left), column((right - 1).max(left)));
+        let (first, last) = (column(left), column(right - 1));
         self.touch(row, first, last + 1);
         let start = row * self.stride + first;
         let cells = &mut self.cells[start..start + last - first + 2];
-        // What lies right of the middle of the two ends is covered, and all of the next pixel.
         let mut enter = |column: usize, places: i32, rise: i32| {
             cells[column] += rise * (2 * STEPS - places);
             cells[column + 1] += rise * places;
         };
         let base = first as i32 * STEPS;
         let (left, right) = (left - base, right - base);
-        if first == last {
-            return enter(0, left + right, rise);
-        }
-        let (whole, sign) = (i64::from(rise.abs()), rise.signum());
         let mut exact = i64::from(STEPS - left) * steepness;
         let (mut x, mut sum) = (left, 0);
         for column in 0..last - first {
@@ -303,11 +317,7 @@ impl AreaMask {
                     alike(sum, look, done..start.min(self.width), &mut put);
                 }
                 done = start + GROUP;
-                let mut sums = [0; GROUP];
-                for (here, cell) in sums.iter_mut().zip(cells) {
-                    sum = sum.wrapping_add(std::mem::take(cell));
-                    *here = sum;
-                }
+                let sums = sums(std::mem::take(cells), &mut sum);
                 let mut parts = [0; GROUP];
                 parts_covered(&sums, look, &mut parts);
                 if start < self.width && parts != [0; GROUP] {
@@ -317,6 +327,27 @@ impl AreaMask {
         }
         alike(sum, look, done..self.width, &mut put);
     }
+}
+
+/// The sums of cells up to each of them, `sum` and all those before it included, which goes on to the last one.
+#[inline(always)]
+fn sums(cells: [i32; GROUP], sum: &mut i32) -> [i32; GROUP] {
+    // Those of each half by itself: shorter chains, and wide registers can hold them.
+    let half = |a: i32, b: i32, c: i32, d: i32| {
+        let (ab, cd) = (a.wrapping_add(b), c.wrapping_add(d));
+        [a, ab, ab.wrapping_add(c), ab.wrapping_add(cd)]
+    };
+    let [a, b, c, d, e, f, g, h] = cells;
+    let (one, other) = (half(a, b, c, d), half(e, f, g, h));
+    let middle = sum.wrapping_add(one[3]);
+    let sums =
+        std::array::from_fn(
+            |i| {
+                if i < 4 { sum.wrapping_add(one[i]) } else { middle.wrapping_add(other[i - 4]) }
+            },
+        );
+    *sum = middle.wrapping_add(other[3]);
+    sums
 }
 
 /// Gives pixels that are covered alike, if they are.
@@ -348,24 +379,22 @@ fn quotient(number: u32, divisor: u32) -> u32 {
 /// Puts into `parts` how many of 255 parts of pixels are covered where areas add up to `sums`.
 #[inline(always)]
 fn parts_covered<const N: usize>(sums: &[i32; N], (rule, gain): (Rule, Gain), parts: &mut [u8; N]) {
-    /// A whole pixel in 16 bits; one less, which is the largest number, does as well.
-    const SHORT: i32 = 1 << 15;
     const {
-        assert!(WHOLE == SHORT << 2);
+        // Of 16 bits with a sign, which go from one whole pixel to the other.
+        assert!(WHOLE >> 2 == 1 << 15);
     }
     // Loops that compilers turn into a few instructions for all numbers.
     let mut areas = [0i16; N];
     match rule {
         Rule::NonZero => {
             for (area, &sum) in areas.iter_mut().zip(sums) {
-                *area = (sum.unsigned_abs() >> 2).min(SHORT as u32 - 1) as i16;
+                *area = (sum.wrapping_abs() >> 2).clamp(0, i16::MAX.into()) as i16;
             }
         }
         Rule::EvenOdd => {
             for (area, &sum) in areas.iter_mut().zip(sums) {
-                // Of two pixels, all but what is more or less than one.
-                let area_of_one = WHOLE - ((sum & (2 * WHOLE - 1)) - WHOLE).abs();
-                *area = (area_of_one >> 2).min(SHORT - 1) as i16;
+                // What is more than one pixel turns around to less than none: of two pixels, all but what they have more.
+                *area = ((sum.wrapping_abs() >> 2) as i16).saturating_abs();
             }
         }
     }
