@@ -388,7 +388,7 @@ fn parts_covered<const N: usize>(sums: &[i32; N], (rule, gain): (Rule, Gain), pa
     match rule {
         Rule::NonZero => {
             for (area, &sum) in areas.iter_mut().zip(sums) {
-                *area = (sum.wrapping_abs() >> 2).clamp(0, i16::MAX.into()) as i16;
+                *area = (sum.unsigned_abs() >> 2).min(i16::MAX as u32) as i16;
             }
         }
         Rule::EvenOdd => {
