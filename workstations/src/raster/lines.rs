@@ -13,6 +13,7 @@ use gks_algorithms::coverage::{Brush, SampleMask};
 use gks_algorithms::line::{M4, Upright, klee, m4};
 use gks_algorithms::rect::IRect;
 use gks_geometry::{Du, LongLine, PathBuf, Paths, Rect};
+use gks_pipeline::colour::Colour;
 use gks_pipeline::device::Pen;
 use gks_pipeline::look::Join;
 use glam::{DVec2, IVec2};
@@ -57,18 +58,30 @@ fn common_pool() -> Option<Arc<ThreadPool>> {
     pool
 }
 
-/// The width and the ink that a line is drawn with: as wide as a pixel at least, and fainter if it is meant to be thinner
-/// than half of that, so that it looks alike at any place.
-fn visible(pen: &Pen<'_>) -> (f64, Ink) {
-    let width = if (0.5..1.0).contains(&pen.width) { 1.0 } else { pen.width.max(0.0) };
-    let width = settled(DVec2::splat(width)).x;
-    let strength = if width > 0.0 { (width.min(1.0) * 255.0).round() as u8 } else { 255 };
-    (width.max(1.0), Ink::new(pixel(pen.paint.colour), strength))
+/// How a line is drawn: as wide as a pixel at least, and fainter if it is meant to be thinner than half of that, so that it
+/// looks alike at any place.
+#[derive(Copy, Clone)]
+struct Visible {
+    /// What the pen has.
+    asked: (Colour, f64),
+    width: f64,
+    ink: Ink,
+}
+
+impl Visible {
+    fn new(colour: Colour, asked: f64) -> Self {
+        let width = if (0.5..1.0).contains(&asked) { 1.0 } else { asked.max(0.0) };
+        let width = settled(DVec2::splat(width)).x;
+        let strength = if width > 0.0 { (width.min(1.0) * 255.0).round() as u8 } else { 255 };
+        Visible { asked: (colour, asked), width: width.max(1.0), ink: Ink::new(pixel(colour), strength) }
+    }
 }
 
 /// Draws antialiased lines; owns the storage for that.
 pub(super) struct Lines {
     lone: Lone,
+    /// How the last line was drawn: the next one mostly looks the same.
+    visible: Visible,
     nib: Nib,
     /// Those of further threads.
     nibs: Vec<Nib>,
@@ -88,12 +101,21 @@ struct Nib {
 
 impl Lines {
     pub(super) fn new() -> Self {
-        Lines { lone: Lone::new(), nib: Nib::new(), nibs: Vec::new(), pool: None }
+        let visible = Visible::new(Colour::BLACK, 1.0);
+        Lines { lone: Lone::new(), visible, nib: Nib::new(), nibs: Vec::new(), pool: None }
+    }
+
+    /// The width and the ink of a line.
+    fn visible(&mut self, pen: &Pen<'_>) -> (f64, Ink) {
+        if self.visible.asked != (pen.paint.colour, pen.width) {
+            self.visible = Visible::new(pen.paint.colour, pen.width);
+        }
+        (self.visible.width, self.visible.ink)
     }
 
     /// Draws paths with a pen.
     pub(super) fn draw(&mut self, bitmap: &mut Bitmap, paths: Paths<'_, Du>, pen: &Pen<'_>) {
-        let (width, ink) = visible(pen);
+        let (width, ink) = self.visible(pen);
         let (columns, rows) = bitmap.size();
         let raster = IRect::of_size(columns as i32, rows as i32);
         if let (&[a, b], &[_]) = (paths.points, paths.ends)
@@ -117,7 +139,7 @@ impl Lines {
             paths.add_pieces(line);
             return self.draw(bitmap, paths.as_paths(), pen);
         }
-        let (width, ink) = visible(pen);
+        let (width, ink) = self.visible(pen);
         let (columns, rows) = bitmap.size();
         self.nib.stroke.begin(width, pen.cap, pen.join);
         let reach = self.nib.stroke.reach() + 1.0;
