@@ -96,16 +96,14 @@ impl Aliased {
         let end = |at: usize, before: usize| if cut { inset(vertex(at), vertex(before)) } else { vertex(at) };
         let mut thin = Thin::new(raster);
         let mut plot = |x, y| span(y, x, x + 1);
-        let mut index = 0;
         let done = line.pieces::<Infallible>(|piece| {
-            for &p in piece.points {
-                let p = match index {
-                    0 => end(0, 1),
-                    _ if index == last => end(last, last - 1),
-                    _ => p,
-                };
-                thin.to(p, &mut plot);
-                index += 1;
+            let inner = usize::from(piece.starts)..piece.points.len() - usize::from(piece.ends);
+            if piece.starts {
+                thin.to(end(0, 1), &mut plot);
+            }
+            thin.all(piece.points.get(inner).unwrap_or(&[]), &mut plot);
+            if piece.ends {
+                thin.to(end(last, last - 1), &mut plot);
             }
             Ok(())
         });
@@ -137,9 +135,12 @@ fn thin(path: &[DVec2], cap: Cap, raster: IRect, mut plot: impl FnMut(i32, i32))
         [a] => [*a, *a],
         [] => return,
     };
-    let inner = path.get(1..last).unwrap_or(&[]).iter().copied();
     let mut thin = Thin::new(raster);
-    std::iter::once(start).chain(inner).chain((last > 0).then_some(end)).for_each(|p| thin.to(p, &mut plot));
+    thin.to(start, &mut plot);
+    thin.all(path.get(1..last).unwrap_or(&[]), &mut plot);
+    if last > 0 {
+        thin.to(end, &mut plot);
+    }
     thin.end(&mut plot);
 }
 
@@ -178,6 +179,11 @@ impl Thin {
     fn to(&mut self, p: DVec2, plot: &mut impl FnMut(i32, i32)) {
         let Thin { m4, pixels } = self;
         m4.to(p, &mut |p| pixels.to(p, plot));
+    }
+
+    fn all(&mut self, path: &[DVec2], plot: &mut impl FnMut(i32, i32)) {
+        let Thin { m4, pixels } = self;
+        m4.all(path, &mut |p| pixels.to(p, plot));
     }
 
     fn end(self, plot: &mut impl FnMut(i32, i32)) {
