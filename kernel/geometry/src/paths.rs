@@ -47,20 +47,18 @@ impl<'a, S: Space> Paths<'a, S> {
     pub fn bounds(&self) -> Option<Rect<S>> {
         /// So few points are compared one after the other.
         const FEW: usize = 16;
-        if self.points.len() > FEW {
+        let (&first, rest) = self.points.split_first()?;
+        if rest.len() > FEW {
             return Some(self.bounds_of_many());
         }
-        self.points.first()?;
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for p in self.points.iter().map(DVec2::to_array) {
-            for i in [0, 1] {
-                low[i] = if p[i] < low[i] { p[i] } else { low[i] };
-                high[i] = if p[i] > high[i] { p[i] } else { high[i] };
-            }
+        let (mut low, mut high) = (first, first);
+        for &p in rest {
+            (low, high) = (low.min(p), high.max(p));
         }
-        Some(Rect { min: Point::from_vec(low.into()), max: Point::from_vec(high.into()) })
+        Some(Rect { min: Point::from_vec(low), max: Point::from_vec(high) })
     }
 
+    #[inline(never)]
     fn bounds_of_many(&self) -> Rect<S> {
         let (x, y) = Extremes::of_pairs(self.points, DVec2::to_array);
         Rect { min: Point::new(x.low, y.low), max: Point::new(x.high, y.high) }
