@@ -66,11 +66,13 @@ impl Gks {
         at_least(F, &points, 1)?;
         // Markers have nothing to do with one another: a great many need not be held together, unless a segment does.
         let most = if self.open_segment.is_some() { points.len() } else { LONG };
+        let mut done = Ok(());
         for from in (0..points.len()).step_by(most) {
             self.normalize(&points.part(from..from + most), 1, false);
-            self.output_paths(F, |paths| Shape::Polymarker(paths.points))?;
+            // What fails on one workstation goes on on the others.
+            done = done.and(self.output_paths(F, |paths| Shape::Polymarker(paths.points)));
         }
-        Ok(())
+        done
     }
 
     /// TEXT: a string of characters at a position in world coordinates.
