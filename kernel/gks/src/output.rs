@@ -194,6 +194,21 @@ mod tests {
     use crate::test_device::{Drawing, INDEXED, PLAIN, TRUE_COLOUR, active};
 
     #[test]
+    fn many_markers_come_in_pieces_and_all_of_them_do() {
+        let points: Vec<(f64, f64)> = (0..LONG + 5).map(|i| (i as f64 / (LONG + 5) as f64, 0.25)).collect();
+        let (mut gks, log) = active(&[INDEXED]);
+        gks.polymarker(&points).unwrap();
+        let mut drawn: Vec<f64> = Vec::new();
+        for (drawing, _) in log.marks() {
+            let Drawing::Markers(positions, _) = drawing else { panic!("markers are whole") };
+            assert!(positions.len() < LONG);
+            drawn.extend(positions.iter().map(|p| p.x));
+        }
+        assert_eq!(drawn.len(), LONG + 5);
+        assert!(drawn.is_sorted_by(|a, b| a < b));
+    }
+
+    #[test]
     fn long_polylines_are_held_only_by_those_who_want_to() {
         let points: Vec<(f64, f64)> = (0..LONG).map(|i| (i as f64 / LONG as f64, 0.25)).collect();
         let (mut gks, log) = active(&[INDEXED, PLAIN, TRUE_COLOUR]);

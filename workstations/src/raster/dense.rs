@@ -1,12 +1,10 @@
 //! Dense lines: paths of many more vertices than there are columns, drawn with a round pen.
 
 use super::stroke::{GRID_PLACES, settled};
-use gks_algorithms::coverage::{Brush, SampleMask};
+use gks_algorithms::coverage::{Brush, SIDE, SampleMask};
 use gks_algorithms::line::stay;
 use glam::DVec2;
 
-/// Sample columns in a pixel.
-const SIDE: f64 = 8.0;
 /// By how much a border is more to the left: half of the distance of the points on which others settle, so that none of those is on
 /// one side or the other by the last bit of its arithmetic.
 const ASIDE: f64 = 0.5 / (1u64 << GRID_PLACES) as f64;

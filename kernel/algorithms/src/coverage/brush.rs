@@ -83,19 +83,11 @@ fn first_row(y: f64) -> i64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::sample_mask::tests::words;
     use super::*;
     use crate::rect::IRect;
     use glam::IVec2;
     use std::collections::BTreeMap;
-
-    fn words(mask: &mut SampleMask) -> BTreeMap<(i32, i32), u64> {
-        let mut found = BTreeMap::new();
-        mask.drain(|row, column, words| {
-            let all = (column..).zip(words).map(|(column, &word)| ((column, row), word));
-            found.extend(all.filter(|(_, word)| *word != 0));
-        });
-        found
-    }
 
     #[test]
     fn a_brush_covers_what_lies_within_its_radius_of_its_way() {

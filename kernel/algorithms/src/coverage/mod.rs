@@ -10,4 +10,4 @@ mod sample_mask;
 
 pub use area_mask::{AreaMask, Cover, Gain};
 pub use brush::Brush;
-pub use sample_mask::{SAMPLES, SampleMask};
+pub use sample_mask::{SAMPLES, SIDE, SampleMask};

@@ -9,7 +9,7 @@ use std::ops::Range;
 pub const SAMPLES: u32 = 64;
 
 /// Sample rows in a pixel, and sample columns.
-pub(super) const SIDE: f64 = 8.0;
+pub const SIDE: f64 = 8.0;
 /// The first sample of each sample row of a pixel; times a byte, it is that byte in every row.
 const EACH_ROW: u64 = 0x0101_0101_0101_0101;
 /// The fixed point numbers in which edges are followed.
@@ -319,7 +319,7 @@ fn add(line: &mut [u64], from: u32, to: u32, rows: u64) {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::path::Rule;
     use crate::polygon::contains;
@@ -328,7 +328,7 @@ mod tests {
     use std::collections::BTreeMap;
 
     /// The words of a mask that are not zero, by column and row.
-    fn words(mask: &mut SampleMask) -> BTreeMap<(i32, i32), u64> {
+    pub(in super::super) fn words(mask: &mut SampleMask) -> BTreeMap<(i32, i32), u64> {
         let mut found = BTreeMap::new();
         mask.drain(|row, column, words| {
             let all = (column..).zip(words).map(|(column, &word)| ((column, row), word));
