@@ -25,7 +25,7 @@ use gks_geometry::{Du, Map, Ndc, PathBuf, Paths, Point, Rect};
 use glam::DVec2;
 
 /// The most dashes that one polyline is cut into; beyond, it is drawn solid.
-const MOST_DASHES: usize = 10_000_000;
+pub const MOST_DASHES: usize = 10_000_000;
 /// As many markers are mapped and drawn at a time: their positions stay in the cache of the processor.
 const MARKERS: usize = 1 << 14;
 

@@ -146,13 +146,17 @@ fn long_lines_are_cut_as_short_ones_are() {
     let mut held = PathBuf::new();
     held.add_pieces(&line);
     let clip = Rect::new(0.1, 0.85, 0.3, 0.7);
-    let (mut ws, seen) = workstation(&[], false);
-    draw(&mut ws, Shape::Polyline(held.as_paths()), &Look::default(), clip);
-    assert_eq!(ws.draw_long_line(&line, &Look::default(), &clip).unwrap(), Drawn::Yes);
-    let seen = seen.lock().unwrap();
-    assert_eq!(seen.len(), 2);
-    assert!(seen[0].paths.len() > 5, "{}", seen[0].paths.len());
-    assert!(seen[0] == seen[1]);
+    for linetype in [1, 2] {
+        let mut look = Look::default();
+        look.line.linetype = linetype;
+        let (mut ws, seen) = workstation(&[], false);
+        draw(&mut ws, Shape::Polyline(held.as_paths()), &look, clip);
+        assert_eq!(ws.draw_long_line(&line, &look, &clip).unwrap(), Drawn::Yes);
+        let seen = seen.lock().unwrap();
+        assert_eq!(seen.len(), 2);
+        assert!(seen[0].paths.len() > 5, "{}", seen[0].paths.len());
+        assert!(seen[0] == seen[1], "line type {linetype}");
+    }
 }
 
 #[test]

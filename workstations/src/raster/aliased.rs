@@ -1,5 +1,6 @@
 //! Lines, areas and patterns without antialiasing: whole pixels, by the classical algorithms.
 
+use super::dashed::{dashes, is_solid};
 use super::stroke::Stroke;
 use gks_algorithms::clip::polyline;
 use gks_algorithms::fill::EdgeTable;
@@ -30,11 +31,18 @@ pub(super) struct Aliased {
     edges: EdgeTable,
     stroke: Stroke,
     cut: PathBuf<Du>,
+    /// Some of the dashes of a long line.
+    dashes: PathBuf<Du>,
 }
 
 impl Aliased {
     pub(super) fn new() -> Self {
-        Aliased { edges: EdgeTable::new(), stroke: Stroke::new(), cut: PathBuf::new() }
+        Aliased {
+            edges: EdgeTable::new(),
+            stroke: Stroke::new(),
+            cut: PathBuf::new(),
+            dashes: PathBuf::new(),
+        }
     }
 
     /// Gives the spans of pixels (row, first column, one past the last one) of lines on a display surface. Spans may
@@ -83,6 +91,13 @@ impl Aliased {
         surface: &Rect<Du>,
         mut span: impl FnMut(i32, i32, i32),
     ) {
+        let around = surface.grown(pen.width);
+        if !pen.dash.is_empty() && !is_solid(line, pen.dash, &around) {
+            let (mut held, solid) = (std::mem::take(&mut self.dashes), Pen { dash: &[], ..*pen });
+            dashes(line, pen.dash, &around, &mut held, |paths| self.lines(paths, &solid, surface, &mut span));
+            self.dashes = held;
+            return;
+        }
         let is_inside = line.bounds().is_some_and(|bounds| surface.contains_rect(&bounds));
         if !(line.is_whole() && is_inside && pen.width < WIDE && line.len() > 3) {
             let mut paths = PathBuf::new();

@@ -21,8 +21,8 @@ use std::f64::consts::TAU;
 
 /// A frame buffer of 8-bit colour indices, which may be written as an image file for each page.
 ///
-/// It draws solid lines, areas, patterns, cells and thin ellipses without antialiasing; what is left to the
-/// pipeline is text, markers, dashes, other curves, and the exact clipping of everything but cells and patterns.
+/// It draws solid and long lines, areas, patterns, cells and thin ellipses without antialiasing; what is left to the
+/// pipeline is text, markers, other dashes and curves, and the exact clipping of everything but cells and patterns.
 pub struct Indexed {
     layout: Layout,
     surface: Surface,
@@ -191,7 +191,7 @@ impl Device for Indexed {
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         match (&mark.form, mark.clip) {
             (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(*paths, pen),
-            (Form::LongLine(line, pen), None) if pen.dash.is_empty() => self.long_line(line, pen),
+            (Form::LongLine(line, pen), None) => self.long_line(line, pen),
             (Form::Area(rings, by, Fill::Solid(paint)), None) => {
                 let index = self.table.index(paint);
                 self.area(*rings, rule(*by), index);

@@ -6,6 +6,7 @@
 
 use super::bitmap::Bitmap;
 use super::composite::{Ink, Pixel, over, pixel};
+use super::dashed::{dashes, is_solid};
 use super::dense::Dense;
 use super::lone::Lone;
 use super::stroke::{Stroke, settled};
@@ -97,6 +98,8 @@ struct Nib {
     brush: Option<Brush>,
     /// Short upright paths, of which many lie one upon the other.
     uprights: Vec<Upright>,
+    /// Some of the dashes of a long line.
+    dashes: PathBuf<Du>,
 }
 
 impl Lines {
@@ -128,27 +131,33 @@ impl Lines {
         self.fill(bitmap, window, &ink, |nib, rows| {
             nib.stroke.begin(width, pen.cap, pen.join);
             nib.stroke.keep_to(rows);
-            nib.follow(paths, columns);
+            nib.follow(paths, columns, paths.points.len());
         });
     }
 
     /// Draws a line with a pen, without holding its points.
     pub(super) fn draw_long(&mut self, bitmap: &mut Bitmap, line: &LongLine<'_, Du>, pen: &Pen<'_>) {
-        if !line.is_whole() || line.len() <= SHORT {
-            let mut paths = PathBuf::new();
-            paths.add_pieces(line);
-            return self.draw(bitmap, paths.as_paths(), pen);
-        }
         let (width, ink) = self.visible(pen);
         let (columns, rows) = bitmap.size();
         self.nib.stroke.begin(width, pen.cap, pen.join);
         let reach = self.nib.stroke.reach() + 1.0;
         let near = |rows: Range<f64>| Rect::new(0.0, columns.into(), rows.start, rows.end).grown(reach);
-        let is_dense = line.len_near(&near(0.0..rows.into())) > DENSE * columns as usize;
-        self.fill(bitmap, IRect::of_size(columns as i32, rows as i32), &ink, |nib, rows| {
+        let (raster, all) = (IRect::of_size(columns as i32, rows as i32), near(0.0..rows.into()));
+        let pattern = Some(pen.dash).filter(|dash| !dash.is_empty() && !is_solid(line, dash, &all));
+        if pattern.is_none() && (!line.is_whole() || line.len() <= SHORT) {
+            let mut paths = PathBuf::new();
+            paths.add_pieces(line);
+            return self.draw(bitmap, paths.as_paths(), pen);
+        }
+        let is_dense = pattern.is_none() && line.len_near(&all) > DENSE * columns as usize;
+        self.fill(bitmap, raster, &ink, |nib, rows| {
             nib.stroke.begin(width, pen.cap, pen.join);
             nib.stroke.keep_to(rows);
-            nib.follow_long(line, is_dense, &near(rows.start as f64..rows.end as f64));
+            match pattern {
+                // Not only those near these rows: a part of a dash does not always look like a part of the whole one.
+                Some(pattern) => nib.follow_dashes(line, pattern, &all, columns),
+                None => nib.follow_long(line, is_dense, &near(rows.start as f64..rows.end as f64)),
+            }
         });
     }
 
@@ -227,7 +236,13 @@ impl Lines {
 
 impl Nib {
     fn new() -> Self {
-        Nib { mask: SampleMask::new(), stroke: Stroke::new(), brush: None, uprights: Vec::new() }
+        Nib {
+            mask: SampleMask::new(),
+            stroke: Stroke::new(),
+            brush: None,
+            uprights: Vec::new(),
+            dashes: PathBuf::new(),
+        }
     }
 
     /// The brush that does what the pen does on a dense path, if there is one.
@@ -238,11 +253,11 @@ impl Nib {
         self.brush.is_some()
     }
 
-    /// Adds the samples of paths on a raster of so many columns.
-    fn follow(&mut self, paths: Paths<'_, Du>, columns: u32) {
+    /// Adds the samples of paths on a raster of so many columns. They may be some of paths that have more `points` together.
+    fn follow(&mut self, paths: Paths<'_, Du>, columns: u32, points: usize) {
         let dense = DENSE * columns as usize;
         let is_brush = paths.points.len() > dense && self.prepare_brush();
-        let Nib { mask, stroke, brush, uprights } = self;
+        let Nib { mask, stroke, brush, uprights, .. } = self;
         if let Some(brush) = brush.as_ref().filter(|_| is_brush) {
             for path in paths.iter().filter(|path| path.len() > dense) {
                 let mut line = Dense::new(mask, brush);
@@ -251,7 +266,7 @@ impl Nib {
             }
         }
         let mut polygon = |ring: &[DVec2]| mask.polygon(ring);
-        let are_dense = paths.points.len() > dense;
+        let are_dense = points > dense;
         uprights.clear();
         for path in paths.iter().filter(|path| !is_brush || path.len() <= dense) {
             if let Some(upright) = are_dense.then(|| upright(path, stroke)).flatten() {
@@ -274,6 +289,13 @@ impl Nib {
             stroke.to(DVec2::new(x, line.high), &mut polygon);
             stroke.end(&mut polygon);
         });
+    }
+
+    /// Adds the samples of the dashes of a line, as far as they are near a rectangle, on a raster of so many columns.
+    fn follow_dashes(&mut self, line: &LongLine<'_, Du>, pattern: &[f64], near: &Rect<Du>, columns: u32) {
+        let mut held = std::mem::take(&mut self.dashes);
+        dashes(line, pattern, near, &mut held, |paths| self.follow(paths, columns, line.len()));
+        self.dashes = held;
     }
 
     /// Adds the samples of a line that is one path, as far as they are near a rectangle.

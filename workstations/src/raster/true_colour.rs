@@ -15,7 +15,7 @@ use crate::options::Options;
 use gks_algorithms::coverage::{AreaMask, Gain};
 use gks_algorithms::path;
 use gks_algorithms::rect::IRect;
-use gks_geometry::{Du, LongLine, PathBuf, Paths, Rect};
+use gks_geometry::{Du, LongLine, Paths, Rect};
 use gks_pipeline::colour::{Colour, Paint};
 use gks_pipeline::device::{
     Device, DeviceError, Drawn, Fill, Form, FrameBuffer, Grid, Mark, Page, Pen, Rule, Sink, Surface,
@@ -31,8 +31,8 @@ const LAST_DIGITS: f64 = 1e-6;
 
 /// A frame buffer of colours, which may be written as an image file for each page.
 ///
-/// It draws solid lines, markers, characters of stroke fonts, areas, patterns and cells; what is left to the pipeline are
-/// other characters, dashes, curves, and the exact clipping of everything but cells and patterns.
+/// It draws solid and long lines, markers, characters of stroke fonts, areas, patterns and cells; what is left to the pipeline
+/// are other characters and dashes, curves, and the exact clipping of everything but cells and patterns.
 pub struct TrueColour {
     layout: Layout,
     surface: Surface,
@@ -69,6 +69,12 @@ impl SharedPixels {
     pub fn read<R>(&self, read: impl FnOnce(&[u8]) -> R) -> R {
         read(lock(&self.canvas).bytes())
     }
+}
+
+/// Lines whose points are held, or a line whose points are not.
+enum Either<'a> {
+    Held(Paths<'a, Du>),
+    Long(&'a LongLine<'a, Du>),
 }
 
 fn lock(canvas: &Mutex<Bitmap>) -> MutexGuard<'_, Bitmap> {
@@ -122,31 +128,28 @@ impl TrueColour {
         clip.is_none_or(|clip| clip.grown(LAST_DIGITS).contains_rect(&self.surface.extent()))
     }
 
-    fn lines(&mut self, paths: Paths<'_, Du>, pen: &Pen<'_>) {
+    fn lines(&mut self, lines: Either<'_>, pen: &Pen<'_>) {
         let mut canvas = lock(&self.canvas);
         if self.antialias {
-            return self.lines.draw(&mut canvas, paths, pen);
+            return match lines {
+                Either::Held(paths) => self.lines.draw(&mut canvas, paths, pen),
+                Either::Long(line) => self.lines.draw_long(&mut canvas, line, pen),
+            };
         }
         let above = pixel(pen.paint.colour);
-        let surface = self.surface.extent();
-        if above[3] == 255 {
-            self.aliased.lines(paths, pen, &surface, |row, from, to| {
-                canvas.span(row as usize, from as usize..to as usize).fill(above);
-            });
-        } else {
-            let mut once = self.lines.once(self.raster());
-            self.aliased.lines(paths, pen, &surface, |row, from, to| once.span(row, from, to));
+        let (raster, surface) = (self.raster(), self.surface.extent());
+        let mut once = (above[3] < 255).then(|| self.lines.once(raster));
+        let span = |row: i32, from: i32, to: i32| match &mut once {
+            Some(once) => once.span(row, from, to),
+            None => canvas.span(row as usize, from as usize..to as usize).fill(above),
+        };
+        match lines {
+            Either::Held(paths) => self.aliased.lines(paths, pen, &surface, span),
+            Either::Long(line) => self.aliased.long_line(line, pen, &surface, span),
+        }
+        if let Some(once) = once {
             once.draw(&mut canvas, above);
         }
-    }
-
-    fn long_line(&mut self, line: &LongLine<'_, Du>, pen: &Pen<'_>) {
-        if self.antialias {
-            return self.lines.draw_long(&mut lock(&self.canvas), line, pen);
-        }
-        let mut paths = PathBuf::new();
-        paths.add_pieces(line);
-        self.lines(paths.as_paths(), pen);
     }
 
     /// Fills rings with one colour.
@@ -216,11 +219,11 @@ impl Device for TrueColour {
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         let (width, height) = (self.layout.width, self.layout.height);
         match (&mark.form, mark.clip) {
-            (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(*paths, pen),
+            (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(Either::Held(*paths), pen),
             (Form::LongLine(line, pen), clip)
-                if pen.dash.is_empty() && (clip.is_none() || self.antialias && self.leaves_all(clip)) =>
+                if clip.is_none() || self.antialias && self.leaves_all(clip) =>
             {
-                self.long_line(line, pen);
+                self.lines(Either::Long(line), pen);
             }
             (Form::Area(rings, by, Fill::Solid(paint)), None) => self.area(*rings, *by, paint),
             (Form::Area(rings, by, Fill::Pattern(frame, grid)), clip) => {

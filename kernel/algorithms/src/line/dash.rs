@@ -26,10 +26,10 @@ pub fn dash(
     ends: &mut Vec<u32>,
 ) {
     let (points_before, ends_before) = (points.len(), ends.len());
-    let walk = if path.len() < 2 { None } else { Walk::new(pattern, phase) };
-    let dashed = walk.is_some_and(|mut walk| {
-        let mut pen = Pen { points, ends, most: ends_before.saturating_add(limit), start: None };
-        path.windows(2).all(|segment| walk.segment(rect, segment[0], segment[1], &mut pen)) && pen.lift()
+    let dashes = if path.len() < 2 { None } else { Dashes::new(pattern, phase) };
+    let dashed = dashes.is_some_and(|mut dashes| {
+        let most = ends_before.saturating_add(limit);
+        dashes.follow(rect, path, points, ends, most) && dashes.end(points, ends, most)
     });
     if !dashed {
         points.truncate(points_before);
@@ -38,22 +38,63 @@ pub fn dash(
     }
 }
 
+/// How far a polyline that comes in parts has been cut into dashes, as [`dash`] does.
+pub struct Dashes<'a> {
+    walk: Walk<'a>,
+    /// The vertex reached.
+    last: Option<DVec2>,
+    /// Whether a dash is under construction.
+    is_begun: bool,
+}
+
+impl<'a> Dashes<'a> {
+    /// A line that begins at `phase` in a pattern; none if that is no pattern.
+    pub fn new(pattern: &'a [f64], phase: f64) -> Option<Self> {
+        Some(Dashes { walk: Walk::new(pattern, phase)?, last: None, is_begun: false })
+    }
+
+    /// Goes on to further vertices, and appends the dashes that lie inside the rectangle. Points behind the last end belong to
+    /// a dash that has not ended; nothing but ended dashes may be taken away before the line goes on. False if there are more
+    /// than `most` ends: then the line is left as it is.
+    pub fn follow(
+        &mut self,
+        rect: Rect,
+        path: &[DVec2],
+        points: &mut Vec<DVec2>,
+        ends: &mut Vec<u32>,
+        most: usize,
+    ) -> bool {
+        let joint = self.last.zip(path.first().copied());
+        self.last = path.last().copied().or(self.last);
+        let mut pen = Pen { points, ends, most, is_begun: self.is_begun };
+        let done = joint.is_none_or(|(a, b)| self.walk.segment(rect, a, b, &mut pen))
+            && path.windows(2).all(|segment| self.walk.segment(rect, segment[0], segment[1], &mut pen));
+        self.is_begun = pen.is_begun;
+        done
+    }
+
+    /// Ends the line: what has begun is a dash.
+    pub fn end(self, points: &mut Vec<DVec2>, ends: &mut Vec<u32>, most: usize) -> bool {
+        Pen { points, ends, most, is_begun: self.is_begun }.lift()
+    }
+}
+
 /// More dashes and gaps than any segment is cut into, whatever the limit: few enough for every round of the pattern to
 /// be a step forward in spite of rounding.
 const MOST_STEPS: f64 = 1e12;
 
-/// What is appended to, and the piece under construction.
+/// What is appended to, with the piece under construction behind the last end.
 struct Pen<'a> {
     points: &'a mut Vec<DVec2>,
     ends: &'a mut Vec<u32>,
     most: usize,
-    start: Option<usize>,
+    is_begun: bool,
 }
 
 impl Pen<'_> {
     fn down(&mut self, p: DVec2) {
-        if self.start.is_none() {
-            self.start = Some(self.points.len());
+        if !self.is_begun {
+            self.is_begun = true;
             self.points.push(p);
         }
     }
@@ -64,7 +105,8 @@ impl Pen<'_> {
 
     /// Ends the piece, if there is one; false if there are too many then.
     fn lift(&mut self) -> bool {
-        if let Some(start) = self.start.take() {
+        if std::mem::take(&mut self.is_begun) {
+            let start = self.ends.last().map_or(0, |&end| end as usize);
             if self.points.len() < start + 2 {
                 // Begun where the line or the rectangle ends.
                 self.points.truncate(start);

@@ -21,7 +21,7 @@ mod sklansky_gonzalez;
 
 pub use bresenham::bresenham;
 pub use column::{Stay, stay};
-pub use dash::dash;
+pub use dash::{Dashes, dash};
 pub use dda::dda;
 pub use klee::{Upright, klee};
 pub use m4::{M4, m4};

@@ -1,10 +1,11 @@
 //! Long lines, whose points are not held but for those that a clipping rectangle leaves.
 
-use super::{Canvas, Painter, Visibility, must, visibility};
+use super::{Canvas, MOST_DASHES, Painter, Visibility, must, visibility};
 use crate::device::{DeviceError, Drawn, Form, Pen};
 use crate::look::Look;
 use gks_algorithms as algorithms;
-use gks_geometry::{Du, LongLine, Ndc, Paths, Rect};
+use gks_algorithms::line::Dashes;
+use gks_geometry::{Du, LongLine, Ndc, Paths, Pieces, Rect};
 
 impl Painter {
     /// Offers a long line as such, or not at all; a polyline is the same line.
@@ -28,12 +29,45 @@ impl Painter {
             let drawn = canvas.offer(Form::LongLine(line, *pen), crossing)?;
             let pens = canvas.surface.pen.is_some();
             match crossing {
-                Some(clip) if drawn == Drawn::No && pen.dash.is_empty() && !pens => {
-                    painter.clipped_long_line(&line, pen, &clip, canvas)
-                }
-                _ => Ok(drawn),
+                _ if drawn == Drawn::Yes || pens => Ok(drawn),
+                _ if !pen.dash.is_empty() => painter.dashed_long_line(&line, pen, &clip, canvas),
+                Some(clip) => painter.clipped_long_line(&line, pen, &clip, canvas),
+                None => Ok(Drawn::No),
             }
         })
+    }
+
+    /// Draws of a dashed long line what is inside of `clip`, the dashes of which alone are held.
+    fn dashed_long_line(
+        &mut self,
+        line: &LongLine<'_, Du>,
+        pen: &Pen<'_>,
+        clip: &Rect<Du>,
+        canvas: &mut Canvas<'_>,
+    ) -> Result<Drawn, DeviceError> {
+        let mut held = std::mem::take(&mut self.pieces);
+        held.clear();
+        let around = clip.grown(pen.width);
+        let rect = (around.min.0, around.max.0);
+        let solid = Pen { dash: &[], ..*pen };
+        let mut dashes = None;
+        let cut = line.pieces(|piece| {
+            if piece.starts {
+                dashes = Dashes::new(pen.dash, 0.0);
+            }
+            let (points, ends) = (&mut held.points, &mut held.ends);
+            let Some(cut) = &mut dashes else { return Err(()) };
+            let done = cut.follow(rect, piece.points, points, ends, MOST_DASHES);
+            let last = dashes.take_if(|_| piece.ends);
+            let done = done && last.is_none_or(|last| last.end(points, ends, MOST_DASHES));
+            if done { Ok(()) } else { Err(()) }
+        });
+        let done = match cut {
+            Ok(()) => self.lines(held.as_paths(), &solid, clip, canvas),
+            Err(()) => return self.clipped_long_line(line, &solid, clip, canvas),
+        };
+        self.pieces = held;
+        done.map(|()| Drawn::Yes)
     }
 
     /// Draws of a long line what is inside of `clip`, which alone is held.

@@ -141,7 +141,9 @@ fn pixels_are_the_same_by_any_number_of_threads() {
             large(threads, |lines, bitmap| lines.draw(bitmap, Paths::new(path, &ends), &pen(width)))
         };
         let long = large(threads, |lines, bitmap| lines.draw_long(bitmap, &line, &pen(1.0)));
-        [draw(&curve, 1.0), long, draw(&zigzag, 23.0), draw(&zigzag, 1.0)]
+        let dashed = Pen { dash: &[9.0, 30.0], ..pen(2.0) };
+        let dashes = large(threads, |lines, bitmap| lines.draw_long(bitmap, &line, &dashed));
+        [draw(&curve, 1.0), long, dashes, draw(&zigzag, 23.0), draw(&zigzag, 1.0)]
     };
     let alone = pictures(1);
     for picture in &alone {
