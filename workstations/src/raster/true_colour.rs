@@ -72,6 +72,7 @@ impl SharedPixels {
 }
 
 /// Lines whose points are held, or a line whose points are not.
+#[derive(Copy, Clone)]
 enum Either<'a> {
     Held(Paths<'a, Du>),
     Long(&'a LongLine<'a, Du>),
