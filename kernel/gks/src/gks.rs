@@ -7,6 +7,7 @@ use crate::normalization::Normalization;
 use crate::{Error, Function, OperatingState, Result};
 use gks_geometry::{Ndc, PathBuf, Rect, Wc};
 use gks_pipeline::description::Catalogue;
+use gks_pipeline::device::DeviceError;
 use gks_pipeline::item::{Item, Shape};
 use gks_pipeline::look::Look;
 use gks_pipeline::segment::Segments;
@@ -203,16 +204,22 @@ impl Target<'_> {
     /// Draws a primitive on every active workstation, and keeps it in the open segment.
     pub(crate) fn draw(self, function: Function, item: &Item<'_>) -> Result<()> {
         let Target { workstations, segments, open_segment } = self;
-        let failed = |e| device_error(function, &e);
         let mut failure = Ok(());
+        let mut note = |done: core::result::Result<(), DeviceError>| {
+            if let Err(error) = done
+                && failure.is_ok()
+            {
+                failure = Err(device_error(function, &error));
+            }
+        };
         let active = workstations.iter_mut().filter(|(_, open)| open.active);
         let Some(OpenSegment { name, stored }) = open_segment else {
             for (&id, OpenWorkstation { workstation, .. }) in active {
                 // What is deferred comes first.
                 if workstation.is_regeneration_due() {
-                    failure = failure.and(workstation.redraw(segments.on(id)).map_err(failed));
+                    note(workstation.redraw(segments.on(id)));
                 }
-                failure = failure.and(workstation.draw(item).map_err(failed));
+                note(workstation.draw(item));
             }
             return failure;
         };
@@ -226,7 +233,7 @@ impl Target<'_> {
             if !(workstation.has_segments() || visible && !workstation.is_regeneration_due()) {
                 continue;
             }
-            failure = failure.and(workstation.draw_in_segment(item, &appearance).map_err(failed));
+            note(workstation.draw_in_segment(item, &appearance));
             if !workstation.is_new_frame_necessary() && segments.is_covered(name, id) {
                 workstation.invalidate();
             }
@@ -248,16 +255,16 @@ fn not_open(function: Function, id: i32) -> Error {
 
 /// The error of the standard for a device that failed: 303 for bytes that could not be written, 304 else.
 #[cold]
-pub(crate) fn device_error(function: Function, error: &gks_pipeline::device::DeviceError) -> Error {
+pub(crate) fn device_error(function: Function, error: &DeviceError) -> Error {
     let number = match error {
-        gks_pipeline::device::DeviceError::Io(_) => 303,
-        gks_pipeline::device::DeviceError::Encode(_) => 304,
+        DeviceError::Io(_) => 303,
+        DeviceError::Encode(_) => 304,
     };
     Error::new(number, function).because(error.to_string())
 }
 
 /// The error of the standard for an operator whose entries could not be received: 305.
 #[cold]
-pub(crate) fn receiving_error(function: Function, error: &gks_pipeline::device::DeviceError) -> Error {
+pub(crate) fn receiving_error(function: Function, error: &DeviceError) -> Error {
     Error::new(305, function).because(error.to_string())
 }

@@ -2,7 +2,7 @@
 
 #![allow(clippy::redundant_closure, reason = "enum variants are no functions of all lifetimes")]
 
-use crate::gks::device_error;
+use crate::gks::{Target, device_error};
 use crate::{Error, Function, Gks, Points, Result};
 use gks_geometry::{LongLine, Ndc, Paths, Point, Wc};
 use gks_pipeline::device::Drawn;
@@ -16,15 +16,19 @@ impl Gks {
     /// POLYLINE: lines from each point to the next.
     ///
     /// Points whose coordinates are not finite break the line. Errors: 5, 100 (fewer than two points).
+    #[inline]
     pub fn polyline<'p>(&mut self, points: impl Into<Points<'p>>) -> Result<()> {
+        self.polyline_through(&points.into())
+    }
+
+    fn polyline_through(&mut self, points: &Points<'_>) -> Result<()> {
         const F: Function = Function::Polyline;
         self.check_state(F)?;
-        let points = points.into();
-        at_least(F, &points, 2)?;
+        at_least(F, points, 2)?;
         if points.len() >= LONG && self.open_segment.is_none() && self.look.clip_sector.is_none() {
-            return self.long_polyline(&points);
+            return self.long_polyline(points);
         }
-        self.normalize(&points, 2, true);
+        self.normalize(points, 2, true);
         self.output_paths(F, |paths: Paths<'_, Ndc>| Shape::Polyline(paths))
     }
 
@@ -171,13 +175,12 @@ impl Gks {
         function: Function,
         shape: impl for<'s> FnOnce(Paths<'s, Ndc>) -> Shape<'s>,
     ) -> Result<()> {
-        if self.paths.ends.is_empty() {
+        let Gks { paths, look, normalization, pick, workstations, segments, open_segment, .. } = self;
+        if paths.ends.is_empty() {
             return Ok(());
         }
-        let paths = std::mem::take(&mut self.paths);
-        let drawn = self.output(function, shape(paths.as_paths()));
-        self.paths = paths;
-        drawn
+        let item = Item { shape: shape(paths.as_paths()), look, clip: normalization.clip, pick: *pick };
+        Target { workstations, segments, open_segment: *open_segment }.draw(function, &item)
     }
 }
 

@@ -138,10 +138,13 @@ impl Painter {
         clip: &Rect<Du>,
         canvas: &mut Canvas<'_>,
     ) -> Result<(), DeviceError> {
-        let mut mapped = std::mem::take(&mut self.mapped);
-        mapped.clear();
-        mapped.add_mapped(paths, &canvas.map);
-        let mut dash = std::mem::take(&mut self.dash);
+        self.mapped.clear();
+        self.mapped.add_mapped(paths, &canvas.map);
+        let pen = resolve_pen(look, canvas, &mut self.dash);
+        if let Some(done) = simple_lines(self.mapped.as_paths(), &pen, clip, canvas) {
+            return done;
+        }
+        let (mapped, mut dash) = (std::mem::take(&mut self.mapped), std::mem::take(&mut self.dash));
         let pen = resolve_pen(look, canvas, &mut dash);
         let done = self.lines(mapped.as_paths(), &pen, clip, canvas);
         self.mapped = mapped;
@@ -179,7 +182,7 @@ impl Painter {
             self.pieces = pieces;
             return done;
         }
-        if let Some(tip) = canvas.surface.pen.filter(|tip| pen.width > tip * lower::wide::SINGLE) {
+        if let Some(tip) = canvas.surface.pen.filter(|_| !is_one_stroke(pen, canvas)) {
             return lower::wide::draw(self, paths, pen, tip, clip, canvas);
         }
         let Some(clip) = crossing else { return must(canvas.offer(Form::Lines(paths, *pen), None)) };
@@ -455,6 +458,28 @@ fn partition(points: &mut [DVec2], is_first: impl Fn(DVec2) -> bool) -> usize {
         }
     }
     count
+}
+
+/// Draws lines that are hidden, or solid and whole and drawn by one stroke of the pen; else answers nothing.
+fn simple_lines(
+    paths: Paths<'_, Du>,
+    pen: &Pen<'_>,
+    clip: &Rect<Du>,
+    canvas: &mut Canvas<'_>,
+) -> Option<Result<(), DeviceError>> {
+    let Some(bounds) = paths.bounds() else { return Some(Ok(())) };
+    match visibility(&bounds, clip) {
+        Visibility::Hidden => Some(Ok(())),
+        Visibility::Whole if pen.dash.is_empty() && is_one_stroke(pen, canvas) => {
+            Some(must(canvas.offer(Form::Lines(paths, *pen), None)))
+        }
+        Visibility::Whole | Visibility::Crossing => None,
+    }
+}
+
+/// Whether a pen draws a line as wide as it is at once: not where it has to go to and fro with its tip.
+fn is_one_stroke(pen: &Pen<'_>, canvas: &Canvas<'_>) -> bool {
+    canvas.surface.pen.is_none_or(|tip| pen.width <= tip * lower::wide::SINGLE)
 }
 
 /// An unclipped solid polyline may not be refused.

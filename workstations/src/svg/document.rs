@@ -6,8 +6,9 @@
 use super::COORDINATE;
 use gks_geometry::{Du, Rect};
 use gks_pipeline::colour::Colour;
-use gks_pipeline::device::Sink;
+use gks_pipeline::device::{Pen, Sink};
 use gks_pipeline::item::Ellipse;
+use gks_pipeline::look::{Cap, Join};
 use std::collections::VecDeque;
 use std::io;
 
@@ -16,6 +17,23 @@ const FULL: usize = 1 << 16;
 
 /// As many clipping rectangles are remembered; one that has been forgotten is defined again.
 const CLIPS: usize = 64;
+
+/// What the attributes of a pen that draws no dashes depend on.
+#[derive(Copy, Clone, PartialEq)]
+struct SolidPen {
+    colour: Colour,
+    width: f64,
+    cap: Cap,
+    join: Join,
+}
+
+impl SolidPen {
+    #[inline]
+    fn of(pen: &Pen<'_>) -> Option<Self> {
+        let Pen { paint, width, cap, join, .. } = *pen;
+        pen.dash.is_empty().then_some(SolidPen { colour: paint.colour, width, cap, join })
+    }
+}
 
 /// A document on its way to the sink.
 pub(super) struct Document {
@@ -26,6 +44,8 @@ pub(super) struct Document {
     clip: Option<u32>,
     /// The attributes of the open inner group; empty if none is open.
     style: Vec<u8>,
+    /// The solid pen that those attributes are of, if it is known.
+    pen: Option<SolidPen>,
     /// The colour that elements in the open inner group inherit, as bytes.
     colour: Option<[u8; 4]>,
     /// Where the attributes of the next mark are composed.
@@ -44,6 +64,7 @@ impl Document {
             out: Vec::with_capacity(FULL + FULL / 4),
             clip: None,
             style: Vec::new(),
+            pen: None,
             colour: None,
             wanted: Vec::new(),
             clips: VecDeque::new(),
@@ -71,6 +92,7 @@ impl Document {
     fn reset(&mut self) {
         self.out.clear();
         self.style.clear();
+        self.pen = None;
         self.clip = None;
         self.clips.clear();
         self.region = None;
@@ -208,10 +230,26 @@ impl Document {
         colour.is_some_and(|colour| self.colour != Some(colour.to_bytes()))
     }
 
+    /// Makes sure that what follows is clipped to `clip` and has the attributes of a pen, which `compose` writes.
+    #[inline]
+    pub(super) fn pen_group(
+        &mut self,
+        clip: Option<&Rect<Du>>,
+        pen: &Pen<'_>,
+        compose: impl FnOnce(&mut Vec<u8>),
+    ) {
+        let wanted = SolidPen::of(pen);
+        if clip.is_some() || self.clip.is_some() || wanted.is_none() || wanted != self.pen {
+            self.group(clip, compose);
+            self.pen = wanted;
+        }
+    }
+
     fn close_style(&mut self) {
         if !self.style.is_empty() {
             self.raw("</g>\n");
             self.style.clear();
+            self.pen = None;
         }
     }
 

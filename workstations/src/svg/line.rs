@@ -15,9 +15,18 @@ struct Element<'d, 'p> {
     clip: Option<&'p Rect<Du>>,
     /// What writes the attributes of the group that the element belongs to.
     attributes: &'p dyn Fn(&mut Vec<u8>),
-    /// The colour that the attributes call `currentColor`, if they do.
-    colour: Option<Colour>,
+    /// What they are of.
+    what: What<'p>,
     begun: bool,
+}
+
+/// What an element draws.
+#[derive(Copy, Clone)]
+enum What<'p> {
+    /// Lines of a pen.
+    Lines(&'p Pen<'p>),
+    /// Areas, of the colour that the attributes call `currentColor`, if they do.
+    Areas(Option<Colour>),
 }
 
 impl<'d, 'p> Element<'d, 'p> {
@@ -25,9 +34,9 @@ impl<'d, 'p> Element<'d, 'p> {
         document: &'d mut Document,
         clip: Option<&'p Rect<Du>>,
         attributes: &'p dyn Fn(&mut Vec<u8>),
-        colour: Option<Colour>,
+        what: What<'p>,
     ) -> Self {
-        Element { data: PathData::new(document, COORDINATE), clip, attributes, colour, begun: false }
+        Element { data: PathData::new(document, COORDINATE), clip, attributes, what, begun: false }
     }
 
     fn end(self) {
@@ -42,9 +51,18 @@ impl Track for Element<'_, '_> {
         if !self.begun {
             self.begun = true;
             let document = &mut *self.data.document;
-            let is_own = document.coloured_group(self.clip, self.colour, self.attributes);
+            let own = match self.what {
+                What::Lines(pen) => {
+                    document.pen_group(self.clip, pen, self.attributes);
+                    None
+                }
+                What::Areas(colour) => {
+                    let is_own = document.coloured_group(self.clip, colour, self.attributes);
+                    colour.filter(|_| is_own)
+                }
+            };
             document.raw("<path");
-            if let Some(colour) = self.colour.filter(|_| is_own) {
+            if let Some(colour) = own {
                 paint(&mut document.out, "color", colour);
             }
             document.raw(" d=\"");
@@ -75,7 +93,7 @@ pub(super) fn lines(
     pen: &Pen<'_>,
 ) -> Result<(), DeviceError> {
     let attributes = |out: &mut Vec<u8>| stroke(out, pen);
-    let mut element = Element::new(document, clip, &attributes, None);
+    let mut element = Element::new(document, clip, &attributes, What::Lines(pen));
     route.lines(paths, &mut element)?;
     element.end();
     if !route.dots.is_empty() {
@@ -120,7 +138,7 @@ pub(super) fn area(
             out.extend_from_slice(b" fill-rule=\"nonzero\"");
         }
     };
-    let mut element = Element::new(document, clip, &attributes, edged.then_some(fill.colour));
+    let mut element = Element::new(document, clip, &attributes, What::Areas(edged.then_some(fill.colour)));
     route.rings(rings.iter().filter(|ring| ring.len() > 2), &mut element)?;
     element.end();
     Ok(())

@@ -99,7 +99,8 @@ impl Workstation {
         } else {
             None
         };
-        let item = &Item { look: portable.as_ref().unwrap_or(item.look), ..*item };
+        let changed = portable.as_ref().map(|look| Item { look, ..*item });
+        let item = changed.as_ref().unwrap_or(item);
         let Workstation { backend, description, tables, painter, map, current, moved, .. } = self;
         let device = match backend {
             Backend::Device(device) => &mut **device,
