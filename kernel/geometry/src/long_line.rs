@@ -27,9 +27,12 @@ pub trait Pieces {
 }
 
 impl<S: Space> Pieces for Paths<'_, S> {
+    #[inline]
     fn pieces<E>(&self, mut each: impl FnMut(Piece<'_>) -> Result<(), E>) -> Result<(), E> {
-        let paths = self.iter().filter(|path| !path.is_empty());
-        paths.map(|points| Piece { points, starts: true, ends: true }).try_for_each(&mut each)
+        for points in self.iter().filter(|path| !path.is_empty()) {
+            each(Piece { points, starts: true, ends: true })?;
+        }
+        Ok(())
     }
 }
 

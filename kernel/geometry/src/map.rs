@@ -82,6 +82,11 @@ impl<A: Space, B: Space> Map<A, B> {
             let (a, b) = (self.point(r.min).0, self.point(r.max).0);
             return Rect { min: Point::from_vec(a.min(b)), max: Point::from_vec(a.max(b)) };
         }
+        self.turned_rect(r)
+    }
+
+    #[inline(never)]
+    fn turned_rect(&self, r: &Rect<A>) -> Rect<B> {
         let [a, b, c, d] = r.corners().map(|p| self.point(p).0);
         Rect { min: Point::from_vec(a.min(b).min(c).min(d)), max: Point::from_vec(a.max(b).max(c).max(d)) }
     }

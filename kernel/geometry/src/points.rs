@@ -23,6 +23,7 @@ pub enum Points<'a> {
 
 impl<'a> Points<'a> {
     /// The number of points.
+    #[inline]
     pub fn len(&self) -> usize {
         match self {
             Points::Tuples(p) => p.len(),

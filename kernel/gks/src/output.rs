@@ -184,11 +184,17 @@ impl Gks {
     }
 }
 
+#[inline]
 fn at_least(function: Function, points: &Points<'_>, least: usize) -> Result<()> {
     if points.len() < least {
-        return Err(Error::new(100, function).because(format!("{} points", points.len())));
+        return Err(too_few(function, points));
     }
     Ok(())
+}
+
+#[cold]
+fn too_few(function: Function, points: &Points<'_>) -> Error {
+    Error::new(100, function).because(format!("{} points", points.len()))
 }
 
 #[cfg(test)]

@@ -224,7 +224,7 @@ mod tests {
             let (mut stamped, mut lined, mut strokes) = (white(), white(), PathBuf::new());
             letters.draw(&mut stamped, &text);
             text.add_to(&mut strokes);
-            Lines::new().draw(&mut lined, strokes.as_paths(), &PEN);
+            Lines::new().draw(&mut lined, &strokes.as_paths(), &PEN);
             assert!(stamped.pixels() == lined.pixels(), "{at:?}");
         }
     }

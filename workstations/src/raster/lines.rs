@@ -117,7 +117,7 @@ impl Lines {
     }
 
     /// Draws paths with a pen.
-    pub(super) fn draw(&mut self, bitmap: &mut Bitmap, paths: Paths<'_, Du>, pen: &Pen<'_>) {
+    pub(super) fn draw(&mut self, bitmap: &mut Bitmap, paths: &Paths<'_, Du>, pen: &Pen<'_>) {
         let (width, ink) = self.visible(pen);
         let (columns, rows) = bitmap.size();
         let raster = IRect::of_size(columns as i32, rows as i32);
@@ -127,11 +127,11 @@ impl Lines {
             return;
         }
         self.nib.stroke.begin(width, pen.cap, pen.join);
-        let window = self.window(paths, raster);
+        let window = self.window(*paths, raster);
         self.fill(bitmap, window, &ink, |nib, rows| {
             nib.stroke.begin(width, pen.cap, pen.join);
             nib.stroke.keep_to(rows);
-            nib.follow(paths, columns, paths.points.len());
+            nib.follow(*paths, columns, paths.points.len());
         });
     }
 
@@ -147,7 +147,7 @@ impl Lines {
         if pattern.is_none() && (!line.is_whole() || line.len() <= SHORT) {
             let mut paths = PathBuf::new();
             paths.add_pieces(line);
-            return self.draw(bitmap, paths.as_paths(), pen);
+            return self.draw(bitmap, &paths.as_paths(), pen);
         }
         let is_dense = pattern.is_none() && line.len_near(&all) > DENSE * columns as usize;
         self.fill(bitmap, raster, &ink, |nib, rows| {

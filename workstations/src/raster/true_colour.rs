@@ -74,7 +74,7 @@ impl SharedPixels {
 /// Lines whose points are held, or a line whose points are not.
 #[derive(Copy, Clone)]
 enum Either<'a> {
-    Held(Paths<'a, Du>),
+    Held(&'a Paths<'a, Du>),
     Long(&'a LongLine<'a, Du>),
 }
 
@@ -145,7 +145,7 @@ impl TrueColour {
             None => canvas.span(row as usize, from as usize..to as usize).fill(above),
         };
         match lines {
-            Either::Held(paths) => self.aliased.lines(paths, pen, &surface, span),
+            Either::Held(paths) => self.aliased.lines(*paths, pen, &surface, span),
             Either::Long(line) => self.aliased.long_line(line, pen, &surface, span),
         }
         if let Some(once) = once {
@@ -220,7 +220,7 @@ impl Device for TrueColour {
     fn draw(&mut self, mark: &Mark<'_>) -> Result<Drawn, DeviceError> {
         let (width, height) = (self.layout.width, self.layout.height);
         match (&mark.form, mark.clip) {
-            (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(Either::Held(*paths), pen),
+            (Form::Lines(paths, pen), None) if pen.dash.is_empty() => self.lines(Either::Held(paths), pen),
             (Form::LongLine(line, pen), clip)
                 if clip.is_none() || self.antialias && self.leaves_all(clip) =>
             {

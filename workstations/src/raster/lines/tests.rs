@@ -10,7 +10,7 @@ fn drawn(path: &[DVec2], paint: Paint, width: f64, cap: Cap, join: Join) -> Vec<
     let mut bitmap = Bitmap::new(100, 100);
     bitmap.fill([255; 4]);
     let pen = Pen { paint, width, dash: &[], cap, join };
-    Lines::new().draw(&mut bitmap, Paths::new(path, &[path.len() as u32]), &pen);
+    Lines::new().draw(&mut bitmap, &Paths::new(path, &[path.len() as u32]), &pen);
     bitmap.pixels().iter().map(|p| 1.0 - f64::from(p[1]) / 255.0).collect()
 }
 
@@ -79,7 +79,7 @@ fn many_upright_dashes_look_like_each_of_them() {
         let mut pictures = [100, 6400].map(|columns| {
             let mut bitmap = Bitmap::new(columns, 100);
             bitmap.fill([255; 4]);
-            Lines::new().draw(&mut bitmap, Paths::new(dashes.as_flattened(), &ends), &pen);
+            Lines::new().draw(&mut bitmap, &Paths::new(dashes.as_flattened(), &ends), &pen);
             let rows = bitmap.pixels().chunks(columns as usize).flat_map(|row| &row[..100]);
             rows.map(|p| f64::from(p[1])).collect::<Vec<_>>()
         });
@@ -138,7 +138,7 @@ fn pixels_are_the_same_by_any_number_of_threads() {
     let pictures = |threads| {
         let draw = |path: &[DVec2], width| {
             let ends = [path.len() as u32];
-            large(threads, |lines, bitmap| lines.draw(bitmap, Paths::new(path, &ends), &pen(width)))
+            large(threads, |lines, bitmap| lines.draw(bitmap, &Paths::new(path, &ends), &pen(width)))
         };
         let long = large(threads, |lines, bitmap| lines.draw_long(bitmap, &line, &pen(1.0)));
         let dashed = Pen { dash: &[9.0, 30.0], ..pen(2.0) };
@@ -165,7 +165,7 @@ fn threads_draw_large_pictures_only_and_only_large_parts_of_them() {
         let pool = Arc::new(ThreadPoolBuilder::new().num_threads(2).build().unwrap());
         let mut lines = Lines { pool: Some(pool), ..Lines::new() };
         let ends = [points.len() as u32];
-        lines.draw(&mut Bitmap::new(columns, 2048), Paths::new(points, &ends), &pen);
+        lines.draw(&mut Bitmap::new(columns, 2048), &Paths::new(points, &ends), &pen);
         lines.nibs.len()
     };
     let short = [(0.0, 0.0), (900.0, 900.0), (0.0, 900.0)].map(DVec2::from);
@@ -183,7 +183,7 @@ fn a_thread_of_a_program_takes_up_nothing_else_while_it_draws() {
     ThreadPoolBuilder::new().num_threads(1).build().unwrap().scope(|scope| {
         scope.spawn(|_| assert!(!DRAWS.get()));
         DRAWS.set(true);
-        lines.draw(&mut Bitmap::new(3000, 3000), Paths::new(&curve, &ends), &pen);
+        lines.draw(&mut Bitmap::new(3000, 3000), &Paths::new(&curve, &ends), &pen);
         DRAWS.set(false);
     });
 }
