@@ -1,7 +1,42 @@
 //! The store of a true-colour frame buffer: pixels, row by row from the top.
 
 use super::composite::{Pixel, demultiplied};
+use prefetch_index::prefetch_index;
 use std::ops::Range;
+
+/// Rows of a part of a bitmap that are asked for some time before they are drawn on, from the top.
+pub(super) struct Ahead {
+    columns: Range<u32>,
+    /// Those not asked for yet.
+    rows: Range<u32>,
+}
+
+impl Ahead {
+    /// As many rows are on their way.
+    const ROWS: u32 = 8;
+    /// More columns than this come fast enough by themselves.
+    const WIDEST: usize = 512;
+
+    /// Asks for the first rows of a part of a bitmap.
+    pub(super) fn new(bitmap: &Bitmap, columns: Range<u32>, mut rows: Range<u32>) -> Self {
+        let first = rows.start;
+        if columns.len() > Ahead::WIDEST {
+            rows.start = rows.end;
+        }
+        let mut ahead = Ahead { columns, rows };
+        ahead.reach(bitmap, first);
+        ahead
+    }
+
+    /// Asks for further rows when one of them is drawn on.
+    #[inline]
+    pub(super) fn reach(&mut self, bitmap: &Bitmap, row: u32) {
+        while self.rows.start < self.rows.end && self.rows.start < row + Ahead::ROWS {
+            bitmap.fetch(self.rows.start, &self.columns);
+            self.rows.start += 1;
+        }
+    }
+}
 
 /// Pixels in rows.
 #[derive(Debug)]
@@ -38,25 +73,15 @@ impl Bitmap {
         &mut self.pixels
     }
 
-    /// Reads pixels all over a small part of the bitmap that is about to be drawn on, with nothing in between, which brings
-    /// them from memory all at once.
-    pub(super) fn touch(&self, columns: &Range<u32>, rows: &Range<u32>) {
-        /// The most pixels worth it.
-        const SMALL: usize = 1 << 14;
+    /// Asks for a part of a row that is about to be drawn on, so that it comes from memory meanwhile.
+    #[inline]
+    fn fetch(&self, row: u32, columns: &Range<u32>) {
         /// The pixels that come together.
         const LINE: usize = 16;
-        if columns.len() * rows.len() > SMALL {
-            return;
+        let start = row as usize * self.width;
+        for column in columns.clone().step_by(LINE) {
+            prefetch_index(&self.pixels, start + column as usize);
         }
-        let mut read = 0;
-        for row in rows.clone() {
-            let start = row as usize * self.width;
-            let pixels = self.pixels.get(start + columns.start as usize..start + columns.end as usize);
-            for pixel in pixels.into_iter().flatten().step_by(LINE) {
-                read ^= u32::from_ne_bytes(*pixel);
-            }
-        }
-        std::hint::black_box(read);
     }
 
     /// Copies to some pixels of a row, which is not the first one, those above them.

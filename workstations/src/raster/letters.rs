@@ -97,7 +97,7 @@ impl Letters {
         let stamps = &self.sets[index].stamps;
         for (i, &(number, at)) in self.placed.iter().enumerate() {
             if let Some(&(next, at)) = self.placed.get(i + 1) {
-                stamps[next as usize].touch(bitmap, at);
+                stamps[next as usize].fetch(bitmap, at);
             }
             stamps[number as usize].put(bitmap, at, &ink);
         }

@@ -8,6 +8,7 @@ use super::composite::{Ink, Pixel};
 use gks_algorithms::coverage::SAMPLES;
 use gks_pipeline::look::Cap;
 use glam::DVec2;
+use prefetch_index::prefetch_index;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 use std::ops::Range;
 
@@ -142,18 +143,16 @@ impl Steps {
         }
     }
 
-    /// Reads a pixel of each step, with nothing in between, which brings them from memory all at once. Steps are `along`
-    /// pixels apart, pixels across the line `across`; each `every`th step is enough.
+    /// Asks for a pixel of each step, so that they come from memory all at once. Steps are `along` pixels apart, pixels across
+    /// the line `across`; each `every`th step is enough.
     #[inline]
-    fn touch(&self, pixels: &[Pixel], (along, across): (usize, usize), every: usize) {
-        let mut read = 0;
+    fn fetch(&self, pixels: &[Pixel], (along, across): (usize, usize), every: usize) {
         let mut second = self.first + (1 << FRACTION);
         for step in self.all.clone().step_by(every) {
             let place = step as usize * along + (second >> FRACTION) as usize * across;
-            read ^= pixels.get(place).map_or(0, |pixel| u32::from_ne_bytes(*pixel));
+            prefetch_index(pixels, place);
             second += self.slope * every as i64;
         }
-        std::hint::black_box(read);
     }
 }
 
@@ -195,7 +194,7 @@ impl Lone {
         if along.y > along.x {
             let line = Segment::new(DVec2::new(a.y, a.x), DVec2::new(b.y, b.x), width, cap);
             let steps = Steps::new(&line, width);
-            steps.touch(pixels, (columns, 1), 1);
+            steps.fetch(pixels, (columns, 1), 1);
             self.draw_steps(&line, steps, width, |row, column, samples| {
                 let start = row * columns + column;
                 if let Some(below) = pixels.get_mut(start..).and_then(|rest| rest.first_chunk_mut()) {
@@ -205,7 +204,7 @@ impl Lone {
         } else {
             let line = Segment::new(a, b, width, cap);
             let steps = Steps::new(&line, width);
-            steps.touch(pixels, (1, columns), 4);
+            steps.fetch(pixels, (1, columns), 4);
             self.draw_steps(&line, steps, width, |column, row, samples| {
                 let start = row * columns + column;
                 let Some(pixels) = pixels.get_mut(start..=start + 3 * columns) else { return };

@@ -6,6 +6,7 @@ use super::stroke::settled;
 use gks_algorithms::coverage::SampleMask;
 use gks_algorithms::rect::IRect;
 use glam::{DVec2, IVec2};
+use prefetch_index::prefetch_index;
 
 /// A stamp reaches no farther than this from its origin, in pixels.
 pub(super) const LARGEST: f64 = 256.0;
@@ -119,10 +120,9 @@ impl Stamp {
         self.pairs.len()
     }
 
-    /// Reads pixels of each row that the stamp with its origin in a pixel will be put over. Reading one after the other,
-    /// with nothing in between, brings them from memory all at once.
+    /// Asks for each row that the stamp with its origin in a pixel will be put over, so that they come from memory meanwhile.
     #[inline]
-    pub(super) fn touch(&self, bitmap: &Bitmap, at: IVec2) {
+    pub(super) fn fetch(&self, bitmap: &Bitmap, at: IVec2) {
         let (width, height) = bitmap.size();
         let (low, high) = (at + self.low, at + self.high);
         if high.min_element() < 0 || low.x >= width as i32 || low.y >= height as i32 {
@@ -130,14 +130,12 @@ impl Stamp {
         }
         let [left, right] = [low.x, high.x].map(|x| x.clamp(0, width as i32 - 1) as usize);
         let pixels = bitmap.pixels();
-        let mut read = 0;
         for row in low.y.max(0)..=high.y {
             let row = row as usize * width as usize;
             for place in [row + left, row + right] {
-                read ^= pixels.get(place).map_or(0, |pixel| u32::from_ne_bytes(*pixel));
+                prefetch_index(pixels, place);
             }
         }
-        std::hint::black_box(read);
     }
 
     /// Puts the stamp over a bitmap with its origin in a pixel. Inlined its inner loop becomes many instructions for single bytes.

@@ -1,7 +1,7 @@
 //! The true-colour workstation: a frame buffer of colours, antialiased, and image files of it.
 
 use super::aliased::{Aliased, rule};
-use super::bitmap::Bitmap;
+use super::bitmap::{Ahead, Bitmap};
 use super::clip::Window;
 use super::coloured_cells;
 use super::composite::{colour, over_cover, over_run, pixel};
@@ -174,9 +174,10 @@ impl TrueColour {
             Window::new(None, self.layout.width, self.layout.height, true).touched_by(&bounds);
         let corner = |column: u32, row: u32| IVec2::new(column as i32, row as i32);
         let window = IRect::new(corner(columns.start, rows.start), corner(columns.end, rows.end));
-        canvas.touch(&columns, &rows);
+        let mut ahead = Ahead::new(&canvas, columns, rows);
         let gain = if by == Rule::EvenOdd && above[3] == 255 { Gain::Double } else { Gain::One };
         self.areas.cover(rings.points, rings.ends, (rule(by), gain), window, |row, from, cover| {
+            ahead.reach(&canvas, row as u32);
             over_cover(canvas.rest(row as usize, from as usize), above, cover);
         });
     }
