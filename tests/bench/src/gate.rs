@@ -89,6 +89,7 @@ pub(crate) fn gates(workload: &str, device: &str) -> Vec<Gate> {
     match (device, workload) {
         ("memory", "w1") => vec![
             time("tiny-skia", one_of(20.0)),
+            time("Blend2D", one_of(8.0)),
             time("GR", one_of(60.0)),
             Gate::Likeness(38.0),
             Gate::Memory(16.0),
@@ -101,7 +102,7 @@ pub(crate) fn gates(workload: &str, device: &str) -> Vec<Gate> {
         ("memory", "w3dot") => vec![time("AGG", 1.0), time("GR", one_of(50.0))],
         ("memory", "w3plus") => vec![time("tiny-skia", one_of(6.0)), time("GR", one_of(8.0))],
         ("memory", "w3circ") => vec![time("tiny-skia", one_of(15.0)), time("GR", one_of(20.0))],
-        ("memory", "w4a" | "w4b") => vec![time("tiny-skia", one_of(4.0))],
+        ("memory", "w4a" | "w4b") => vec![time("tiny-skia", one_of(4.0)), time("Blend2D", 1.1)],
         ("memory", "w5") => vec![time("tiny-skia", one_of(20.0)), time("GR", one_of(12.0))],
         ("memory", "w6a" | "w6b") => vec![time("cairo", 1.0), time("GR", one_of(15.0))],
         ("memory", "w7") => {

@@ -13,6 +13,8 @@ use std::process::{Command, Stdio};
 pub(crate) const PATIENCE: u32 = 10;
 /// The environment variable that names the GKS of GR, as a file.
 const GR: &str = "GKS_BENCH_GR";
+/// The one that names the folder where Blend2D is installed.
+const BLEND2D: &str = "GKS_BENCH_BLEND2D";
 
 /// A library behind a program.
 pub(crate) struct Peer {
@@ -217,11 +219,28 @@ fn recipes(sources: &Path) -> Result<Vec<Recipe>, Failure> {
         "png",
     ));
     recipes.push(fortran("XGKS", "-DXGKS", &xgks, "window"));
+    match std::env::var(BLEND2D) {
+        Ok(folder) => recipes.push(blend2d(Path::new(&folder))?),
+        Err(_) => eprintln!("without Blend2D: {BLEND2D} names no folder"),
+    }
     match std::env::var(GR) {
         Ok(library) => recipes.push(gr(Path::new(&library))?),
         Err(_) => eprintln!("without GR: {GR} names no libGKS.so"),
     }
     Ok(recipes)
+}
+
+/// Blend2D, which Debian does not have.
+fn blend2d(folder: &Path) -> Result<Recipe, Failure> {
+    let folder = folder.canonicalize().map_err(|error| format!("{BLEND2D}={}: {error}", folder.display()))?;
+    let libraries = folder.join("lib").display().to_string();
+    let flags = vec![
+        format!("-I{}", folder.join("include").display()),
+        format!("-L{libraries}"),
+        "-lblend2d".into(),
+        format!("-Wl,-rpath,{libraries}"),
+    ];
+    Ok(Recipe { name: "Blend2D", source: "blend2d.cpp", compiler: "c++", flags, pixels: "memory" })
 }
 
 /// The GKS of GR, which draws its pictures by the plug-in for cairo.
