@@ -95,38 +95,58 @@ pub(super) fn over_run(run: &mut [Pixel], above: Pixel, coverage: u8) {
     }
 }
 
-/// Puts a colour over what is covered of the first pixels of a row.
-#[inline]
-pub(super) fn over_cover(row: &mut [Pixel], above: Pixel, cover: Cover<'_>) {
-    match cover {
-        Cover::Alike(count, coverage) => over_run(&mut row[..count], above, coverage),
-        Cover::Each(parts) => over_each(&mut row[..parts.len()], above, parts),
-    }
+/// A colour ready to be put over many pixels of which parts of 255 are covered.
+pub(super) struct Coat {
+    above: Pixel,
+    opaque: bool,
+    /// The bytes of two pixels of the colour.
+    two: [u16; 8],
 }
 
-/// Puts a colour over neighbouring pixels of which parts of 255 are covered.
-#[inline]
-fn over_each(run: &mut [Pixel], above: Pixel, parts: &[u8]) {
-    if let (Ok(run), Ok(parts), 255) = (run.try_into(), parts.try_into(), above[3]) {
-        return over_eight(run, above, parts);
+impl Coat {
+    pub(super) fn new(above: Pixel) -> Self {
+        Coat { above, opaque: above[3] == 255, two: std::array::from_fn(|i| u16::from(above[i % 4])) }
     }
-    run.iter_mut().zip(parts).for_each(|(below, &part)| over(below, above, part));
-}
 
-/// Puts an opaque colour over eight pixels of which parts of 255 are covered.
-#[inline]
-fn over_eight(below: &mut [Pixel; 8], above: Pixel, parts: &[u8; 8]) {
-    let above = above.map(u16::from);
-    for (below, parts) in below.as_chunks_mut::<4>().0.iter_mut().zip(parts.as_chunks::<4>().0) {
-        // Two loops that compilers turn into a few instructions for all 16 bytes.
-        let mut shares = [0; 16];
-        for (share, i) in shares.iter_mut().zip(0..) {
-            *share = u16::from(parts[i / 4]);
+    /// Puts the colour over what is covered of the first pixels of a row.
+    #[inline(always)]
+    pub(super) fn over_cover(&self, row: &mut [Pixel], cover: Cover<'_>) {
+        match cover {
+            Cover::Each(parts) => match (row.first_chunk_mut(), parts.try_into()) {
+                (Some(eight), Ok(parts)) if self.opaque => self.over_eight(eight, parts),
+                _ => self.over_each(&mut row[..parts.len()], parts),
+            },
+            Cover::Alike(count, 255) if self.opaque => row[..count].fill(self.above),
+            Cover::Alike(1, coverage) if self.opaque => over(&mut row[0], self.above, coverage),
+            Cover::Alike(count, coverage) => self.over_alike(&mut row[..count], coverage),
         }
-        for (below, i) in below.as_flattened_mut().iter_mut().zip(0..) {
-            let sum = above[i % 4] * shares[i] + u16::from(*below) * (255 - shares[i]) + 128;
-            *below = ((sum + (sum >> 8)) >> 8) as u8;
+    }
+
+    /// Puts the opaque colour over eight pixels.
+    #[inline(always)]
+    fn over_eight(&self, below: &mut [Pixel; 8], parts: &[u8; 8]) {
+        for (below, parts) in below.as_chunks_mut::<4>().0.iter_mut().zip(parts.as_chunks::<4>().0) {
+            // Two loops that compilers turn into a few instructions for all 16 bytes.
+            let mut shares = [0; 16];
+            for (share, i) in shares.iter_mut().zip(0..) {
+                *share = u16::from(parts[i / 4]);
+            }
+            for (below, i) in below.as_flattened_mut().iter_mut().zip(0..) {
+                let sum = self.two[i % 8] * shares[i] + u16::from(*below) * (255 - shares[i]) + 128;
+                // What the sum and its part of 256 have of 256.
+                *below = ((u32::from(sum) * 257) >> 16) as u8;
+            }
         }
+    }
+
+    #[inline(never)]
+    fn over_each(&self, run: &mut [Pixel], parts: &[u8]) {
+        run.iter_mut().zip(parts).for_each(|(below, &part)| over(below, self.above, part));
+    }
+
+    #[inline(never)]
+    fn over_alike(&self, run: &mut [Pixel], coverage: u8) {
+        run.iter_mut().for_each(|below| over(below, self.above, coverage));
     }
 }
 
@@ -307,14 +327,14 @@ mod tests {
                 let parts: [u8; 9] = std::array::from_fn(|i| first + i as u8);
                 for count in [3, 8, 9] {
                     let (mut together, mut single) = (below, below);
-                    over_cover(&mut together, above, Cover::Each(&parts[..count]));
+                    Coat::new(above).over_cover(&mut together, Cover::Each(&parts[..count]));
                     single.iter_mut().zip(&parts[..count]).for_each(|(p, &part)| over(p, above, part));
                     assert_eq!(together, single, "{first} {count}");
                 }
             }
         }
         let mut row = below;
-        over_cover(&mut row, [1, 2, 3, 255], Cover::Alike(4, 255));
+        Coat::new([1, 2, 3, 255]).over_cover(&mut row, Cover::Alike(4, 255));
         assert_eq!((row[3], row[4]), ([1, 2, 3, 255], below[4]));
     }
 

@@ -4,7 +4,7 @@ use super::aliased::{Aliased, rule};
 use super::bitmap::{Ahead, Bitmap};
 use super::clip::Window;
 use super::coloured_cells;
-use super::composite::{colour, over_cover, over_run, pixel};
+use super::composite::{Coat, colour, over_run, pixel};
 use super::describe::{Layout, SizeError};
 use super::encode::{self, Care, Format, Samples};
 use super::letters::Letters;
@@ -175,10 +175,11 @@ impl TrueColour {
         let corner = |column: u32, row: u32| IVec2::new(column as i32, row as i32);
         let window = IRect::new(corner(columns.start, rows.start), corner(columns.end, rows.end));
         let mut ahead = Ahead::new(&canvas, columns, rows);
+        let coat = Coat::new(above);
         let gain = if by == Rule::EvenOdd && above[3] == 255 { Gain::Double } else { Gain::One };
         self.areas.cover(rings.points, rings.ends, (rule(by), gain), window, |row, from, cover| {
             ahead.reach(&canvas, row as u32);
-            over_cover(canvas.rest(row as usize, from as usize), above, cover);
+            coat.over_cover(canvas.rest(row as usize, from as usize), cover);
         });
     }
 
