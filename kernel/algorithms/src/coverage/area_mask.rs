@@ -1,6 +1,7 @@
 //! Exact areas, after E. Catmull, "A hidden-surface algorithm with anti-aliasing", SIGGRAPH 1978; kept as signed areas
 //! of edges in cells that are summed up along each row, as R. Levien's libart (1998) and FreeType do.
 
+use super::group::{GROUP, covered, parts};
 use crate::path::{Rule, ring_edges, subpaths};
 use crate::rect::IRect;
 use glam::DVec2;
@@ -13,7 +14,7 @@ const STEPS: i32 = 1 << PLACES;
 /// What makes 1 in fixed-point numbers with 32 binary places.
 const FRACTION: f64 = (1_u64 << 32) as f64;
 /// A whole pixel: twice the area in steps.
-const WHOLE: i32 = 2 * STEPS * STEPS;
+pub(super) const WHOLE: i32 = 2 * STEPS * STEPS;
 /// What makes a product the quotient of a number up to the square of [`STEPS`] by one up to `STEPS`, with 32 binary places.
 const RECIPROCALS: [u64; 2 * STEPS as usize] = {
     let mut table = [0; 2 * STEPS as usize];
@@ -24,8 +25,6 @@ const RECIPROCALS: [u64; 2 * STEPS as usize] = {
     }
     table
 };
-/// As many cells are summed up together, which processors do at once.
-const GROUP: usize = 8;
 
 /// How many times what is covered of a pixel counts, up to the whole pixel.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -317,9 +316,7 @@ impl AreaMask {
                     alike(sum, look, done..start.min(self.width), &mut put);
                 }
                 done = start + GROUP;
-                let sums = sums(std::mem::take(cells), &mut sum);
-                let mut parts = [0; GROUP];
-                parts_covered(&sums, look, &mut parts);
+                let parts = covered(std::mem::take(cells), &mut sum, look);
                 if start < self.width && parts != [0; GROUP] {
                     put(start, Cover::Each(&parts[..GROUP.min(self.width - start)]));
                 }
@@ -329,33 +326,10 @@ impl AreaMask {
     }
 }
 
-/// The sums of cells up to each of them, `sum` and all those before it included, which goes on to the last one.
-#[inline(always)]
-fn sums(cells: [i32; GROUP], sum: &mut i32) -> [i32; GROUP] {
-    // Those of each half by itself: shorter chains, and wide registers can hold them.
-    let half = |a: i32, b: i32, c: i32, d: i32| {
-        let (ab, cd) = (a.wrapping_add(b), c.wrapping_add(d));
-        [a, ab, ab.wrapping_add(c), ab.wrapping_add(cd)]
-    };
-    let [a, b, c, d, e, f, g, h] = cells;
-    let (one, other) = (half(a, b, c, d), half(e, f, g, h));
-    let middle = sum.wrapping_add(one[3]);
-    let sums =
-        std::array::from_fn(
-            |i| {
-                if i < 4 { sum.wrapping_add(one[i]) } else { middle.wrapping_add(other[i - 4]) }
-            },
-        );
-    *sum = middle.wrapping_add(other[3]);
-    sums
-}
-
 /// Gives pixels that are covered alike, if they are.
 #[inline]
 fn alike(sum: i32, look: (Rule, Gain), columns: Range<usize>, put: &mut impl FnMut(usize, Cover<'_>)) {
-    let mut parts = [0];
-    parts_covered(&[sum], look, &mut parts);
-    let [part] = parts;
+    let [part] = parts([sum], look);
     if part > 0 && !columns.is_empty() {
         put(columns.start, Cover::Alike(columns.len(), part));
     }
@@ -374,39 +348,6 @@ fn fixed(p: DVec2) -> (i32, i32) {
 #[inline]
 fn quotient(number: u32, divisor: u32) -> u32 {
     ((u64::from(number) * RECIPROCALS[divisor as usize % RECIPROCALS.len()]) >> 32) as u32
-}
-
-/// Puts into `parts` how many of 255 parts of pixels are covered where areas add up to `sums`.
-#[inline(always)]
-fn parts_covered<const N: usize>(sums: &[i32; N], (rule, gain): (Rule, Gain), parts: &mut [u8; N]) {
-    const {
-        // Of 16 bits with a sign, which go from one whole pixel to the other.
-        assert!(WHOLE >> 2 == 1 << 15);
-    }
-    // Loops that compilers turn into a few instructions for all numbers.
-    let mut areas = [0i16; N];
-    match rule {
-        Rule::NonZero => {
-            for (area, &sum) in areas.iter_mut().zip(sums) {
-                *area = (sum.unsigned_abs() >> 2).min(i16::MAX as u32) as i16;
-            }
-        }
-        Rule::EvenOdd => {
-            for (area, &sum) in areas.iter_mut().zip(sums) {
-                // What is more than one pixel turns around to less than none: of two pixels, all but what they have more.
-                *area = ((sum.wrapping_abs() >> 2) as i16).saturating_abs();
-            }
-        }
-    }
-    if gain == Gain::Double {
-        for area in &mut areas {
-            *area = area.saturating_add(*area);
-        }
-    }
-    for (part, area) in parts.iter_mut().zip(areas) {
-        // Rounded: 65 is a half of a part.
-        *part = ((u32::from(area as u16 + 65) * (2 * 255)) >> 16) as u8;
-    }
 }
 
 #[cfg(test)]
@@ -568,29 +509,5 @@ mod tests {
         mask.cover(&right, &[4], even_odd, IRect::of_size(3, 2), |_, _, cover| {
             assert!(cover.parts().all(|part| part == 0), "all lies outside");
         });
-    }
-
-    #[test]
-    fn parts_are_rounded_areas() {
-        let part = |sum: i32, rule, gain| {
-            let mut parts = [0];
-            parts_covered(&[sum], (rule, gain), &mut parts);
-            parts[0]
-        };
-        for sum in (-3 * WHOLE..3 * WHOLE).step_by(7) {
-            let whole = f64::from(WHOLE);
-            let area = f64::from(sum).abs() / whole;
-            let expected = |area: f64| area.min(1.0) * 255.0;
-            let non_zero = part(sum, Rule::NonZero, Gain::One);
-            let double = part(sum, Rule::NonZero, Gain::Double);
-            let even_odd = part(sum, Rule::EvenOdd, Gain::One);
-            let folded = (area % 2.0).min(2.0 - area % 2.0);
-            for (found, area) in [(non_zero, area), (double, 2.0 * area), (even_odd, folded)] {
-                assert!((f64::from(found) - expected(area)).abs() < 0.53, "{sum}: {found} {area}");
-            }
-        }
-        for sum in [i32::MIN, i32::MAX] {
-            assert_eq!(part(sum, Rule::NonZero, Gain::Double), 255);
-        }
     }
 }

@@ -6,6 +6,7 @@
 
 mod area_mask;
 mod brush;
+mod group;
 mod sample_mask;
 
 pub use area_mask::{AreaMask, Cover, Gain};
