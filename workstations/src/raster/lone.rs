@@ -5,6 +5,7 @@
 
 use super::bitmap::Bitmap;
 use super::composite::{Ink, Pixel};
+use super::ends::Ends;
 use gks_algorithms::coverage::SAMPLES;
 use gks_pipeline::look::Cap;
 use glam::DVec2;
@@ -59,55 +60,6 @@ impl Segment {
         let direction = along / length;
         let ends = Ends::new(from, direction, length, longer);
         Segment { from, run: along.x, slope: along.y / along.x, direction, longer, ends }
-    }
-}
-
-/// What the ends of a line leave of pixels.
-struct Ends {
-    /// How far the middle of the first pixel of the first step lies behind the beginning and before the end, and half a pixel
-    /// more; and by how much the next step and the next pixel are further on.
-    begun: i64,
-    left: i64,
-    step: i64,
-    pixel: i64,
-}
-
-impl Ends {
-    /// Distances are counted in this part of a pixel, of which 64 are told apart in the end.
-    const UNIT: f64 = (1u32 << (6 + Ends::FINER)) as f64;
-    const FINER: u32 = 14;
-
-    #[inline]
-    fn new(from: DVec2, direction: DVec2, length: f64, longer: f64) -> Self {
-        let begun = (0.5 - from).dot(direction) + longer + 0.5;
-        let left = length + 2.0 * longer + 1.0 - begun;
-        let fixed = |distance: f64| (distance * Ends::UNIT) as i64;
-        Ends { begun: fixed(begun), left: fixed(left), step: fixed(direction.x), pixel: fixed(direction.y) }
-    }
-
-    /// Leaves of the four pixels of a step what lies before the end; `step` and `first` are their numbers along and across
-    /// the line. Inlined it becomes branches that no processor predicts.
-    #[inline(never)]
-    fn leave(&self, step: i32, first: i32, samples: [u8; 4]) -> [u8; 4] {
-        /// Parts of a pixel.
-        const ONE: i16 = 64;
-        /// More than four pixels have.
-        const FAR: i64 = 1024;
-        let on = i64::from(step) * self.step + i64::from(first) * self.pixel;
-        let parts = |distance: i64| (distance >> Ends::FINER).clamp(-FAR, FAR) as i16;
-        let (begun, left, next) = (parts(self.begun + on), parts(self.left - on), parts(self.pixel));
-        // The four pixels twice: what of them the beginning and what the end leaves.
-        let mut parts = [begun, begun, begun, begun, left, left, left, left];
-        let offsets = [0, next, 2 * next, 3 * next, 0, -next, -2 * next, -3 * next];
-        for (part, offset) in parts.iter_mut().zip(offsets) {
-            *part = (*part + offset).clamp(0, ONE);
-        }
-        let [a, b, c, d, e, f, g, h] = parts;
-        let mut kept = [a + e, b + f, c + g, d + h, 0, 0, 0, 0];
-        for (kept, count) in kept.iter_mut().zip(samples.into_iter().chain([0; 4])) {
-            *kept = ((*kept - ONE).max(0) * i16::from(count) + ONE / 2) >> ONE.trailing_zeros();
-        }
-        [kept[0], kept[1], kept[2], kept[3]].map(|count| count as u8)
     }
 }
 

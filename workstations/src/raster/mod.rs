@@ -13,6 +13,7 @@ mod dashed;
 mod dense;
 mod describe;
 mod encode;
+mod ends;
 mod indexed;
 mod letters;
 mod lines;
