@@ -1,6 +1,7 @@
 //! Blending of colours into pixels by T. Porter and T. Duff, "Compositing Digital Images", 1984: source over
 //! destination, premultiplied by opacity.
 
+use super::four;
 use gks_algorithms::coverage::{Cover, SAMPLES};
 use gks_pipeline::colour::Colour;
 
@@ -183,7 +184,7 @@ impl Ink {
             }
             let ((fours, pixels), (words, rest)) = (pixels.as_chunks_mut(), words.as_chunks());
             for (four, words) in fours.iter_mut().zip(words) {
-                self.over_four(four, words.map(|word| word.count_ones() as u8));
+                *four = self.over_four(*four, words.map(|word| word.count_ones() as u8));
             }
             for (below, word) in pixels.iter_mut().zip(rest) {
                 self.over_samples(below, word.count_ones() as u8);
@@ -191,14 +192,20 @@ impl Ink {
         }
     }
 
-    /// Puts the ink over four pixels of which numbers of samples are covered.
+    /// Four pixels with the ink over them, of which numbers of samples are covered.
     #[inline(always)]
-    pub(super) fn over_four(&self, below: &mut [Pixel; 4], samples: [u8; 4]) {
+    pub(super) fn over_four(&self, below: [Pixel; 4], samples: [u8; 4]) -> [Pixel; 4] {
         if self.is_opaque() {
-            mix(self.whole, below, samples);
+            four::mixed(self.whole, below, samples)
         } else {
-            below.iter_mut().zip(samples).for_each(|(below, samples)| self.over_samples(below, samples));
+            self.over_translucently(below, samples)
         }
+    }
+
+    #[inline(never)]
+    fn over_translucently(&self, mut below: [Pixel; 4], samples: [u8; 4]) -> [Pixel; 4] {
+        below.iter_mut().zip(samples).for_each(|(below, samples)| self.over_samples(below, samples));
+        below
     }
 
     /// Puts the ink over a pixel of which a number of samples is covered.
@@ -246,20 +253,6 @@ impl Brush {
         for (below, i) in below.as_flattened_mut().iter_mut().zip(0..) {
             *below = mixed(*below, self.above[i], counts[i]);
         }
-    }
-}
-
-/// Four pixels on the way to a colour, as far as numbers of samples say.
-#[inline(always)]
-fn mix(above: Pixel, below: &mut [Pixel; 4], samples: [u8; 4]) {
-    // Two loops that compilers turn into a few instructions for all 16 bytes.
-    let mut counts = [0; 16];
-    for (count, i) in counts.iter_mut().zip(0..) {
-        *count = i16::from(samples[i / 4]);
-    }
-    let above = above.map(i16::from);
-    for (below, i) in below.as_flattened_mut().iter_mut().zip(0..) {
-        *below = mixed(*below, above[i % 4], counts[i]);
     }
 }
 

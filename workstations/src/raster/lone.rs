@@ -150,7 +150,7 @@ impl Lone {
             self.draw_steps(&line, steps, width, |row, column, samples| {
                 let start = row * columns + column;
                 if let Some(below) = pixels.get_mut(start..).and_then(|rest| rest.first_chunk_mut()) {
-                    ink.over_four(below, samples);
+                    *below = ink.over_four(*below, samples);
                 }
             });
         } else {
@@ -160,9 +160,8 @@ impl Lone {
             self.draw_steps(&line, steps, width, |column, row, samples| {
                 let start = row * columns + column;
                 let Some(pixels) = pixels.get_mut(start..=start + 3 * columns) else { return };
-                let mut four = [0, 1, 2, 3].map(|i| pixels[i * columns]);
-                ink.over_four(&mut four, samples);
-                for (at, pixel) in (0..).step_by(columns).zip(four) {
+                let four = [0, 1, 2, 3].map(|i| pixels[i * columns]);
+                for (at, pixel) in (0..).step_by(columns).zip(ink.over_four(four, samples)) {
                     pixels[at] = pixel;
                 }
             });

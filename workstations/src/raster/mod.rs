@@ -14,6 +14,7 @@ mod dense;
 mod describe;
 mod encode;
 mod ends;
+mod four;
 mod indexed;
 mod letters;
 mod lines;
