@@ -68,7 +68,7 @@ mod tests {
     fn every_way_mixes_alike() {
         for above in [[0, 255, 17, 200], [255, 0, 128, 255]] {
             for below in 0..=255u8 {
-                let below = std::array::from_fn(|i| [below, 255 - below, (below / 2) * i as u8 % 7, 255]);
+                let below = std::array::from_fn(|i| [below, 255 - below, below / 7 * i as u8, 255]);
                 for samples in 0..=64u8 {
                     let samples = [samples, 64 - samples, samples / 2, 64];
                     assert_eq!(wide::mixed(above, below, samples), each::mixed(above, below, samples));
