@@ -182,9 +182,10 @@ impl Content {
         let new = [colour.red, colour.green, colour.blue].map(intensity);
         let lines = purpose == Use::Lines && self.language == Language::Pdf;
         let known = if lines { &mut self.state.line_colour } else { &mut self.state.area_colour };
-        if known.replace(new) == Some(new) {
+        if *known == Some(new) {
             return;
         }
+        *known = Some(new);
         let grey = new[0] == new[1] && new[1] == new[2];
         for &component in &new[..if grey { 1 } else { 3 }] {
             INTENSITIES.write_steps(&mut self.text, component);
