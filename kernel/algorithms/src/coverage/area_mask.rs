@@ -277,28 +277,39 @@ impl AreaMask {
         let (whole, sign) = (i64::from(rise.abs()), rise.signum());
         if right - left <= STEPS {
             let beyond = |across: i32| ((i64::from(across) * steepness) >> 32).min(whole) as i32 * sign;
-            return self.two_cells(row, (left, right), rise, beyond);
+            self.two_cells(row, (left, right), rise, beyond);
+        } else {
+            self.many_cells(row, (left, right), rise, steepness);
         }
+    }
+
+    /// The same for a part that reaches farther. Inlined it would take the registers of what is done most.
+    #[inline(never)]
+    fn many_cells(&mut self, row: usize, (left, right): (i32, i32), rise: i32, steepness: i64) {
+        let (whole, sign) = (i64::from(rise.abs()), rise.signum());
         let column = |x: i32| x as usize / STEPS as usize;
         let (first, last) = (column(left), column(right - 1));
         self.touch(row, first, last + 1);
         let start = row * self.stride + first;
         let cells = &mut self.cells[start..start + last - first + 2];
-        let mut enter = |column: usize, places: i32, rise: i32| {
-            cells[column] += rise * (2 * STEPS - places);
-            cells[column + 1] += rise * places;
-        };
         let base = first as i32 * STEPS;
         let (left, right) = (left - base, right - base);
+        let (inner, end) = cells.split_at_mut(last - first);
         let mut exact = i64::from(STEPS - left) * steepness;
-        let (mut x, mut sum) = (left, 0);
-        for column in 0..last - first {
+        // Of what goes down in a column, the part that lies right of the line counts in the next one, too.
+        let (mut places, mut sum, mut rest) = (left + STEPS, 0, 0);
+        for cell in inner {
             let total = (exact >> 32).min(whole) as i32 * sign;
-            enter(column, x + STEPS, total - sum);
-            (x, sum) = (0, total);
+            let here = total - sum;
+            *cell += rest + here * (2 * STEPS - places);
+            (rest, places, sum) = (here * places, STEPS, total);
             exact += i64::from(STEPS) * steepness;
         }
-        enter(last - first, x + right - (last - first) as i32 * STEPS, rise - sum);
+        if let [one, two] = end {
+            let (here, places) = (rise - sum, right - (last - first) as i32 * STEPS);
+            *one += rest + here * (2 * STEPS - places);
+            *two += here * places;
+        }
     }
 
     /// Sums up a row, gives what is covered of it and empties it.
