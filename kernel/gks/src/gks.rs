@@ -205,7 +205,7 @@ impl Target<'_> {
     pub(crate) fn draw(self, function: Function, item: &Item<'_>) -> Result<()> {
         let Target { workstations, segments, open_segment } = self;
         let mut failure = Ok(());
-        let mut note = |done: core::result::Result<(), DeviceError>| {
+        let mut note = |done: std::result::Result<(), DeviceError>| {
             if let Err(error) = done
                 && failure.is_ok()
             {

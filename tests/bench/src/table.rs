@@ -16,7 +16,7 @@ const END: &str = "<!-- speed: end -->";
 pub(crate) fn text(rows: &[Row]) -> String {
     let mut text = format!("Measured on: {}.\n", machine::description());
     let (pixels, files): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.device == "memory");
-    let columns = [OURS, "tiny-skia", "vello_cpu", "cairo", "AGG", "GR", "NCAR", "XGKS"];
+    let columns = [OURS, "tiny-skia", "vello_cpu", "cairo", "AGG", "Blend2D", "GR", "NCAR", "XGKS"];
     section(&mut text, "pictures in memory, ms / MiB", &columns, &pixels);
     section(&mut text, "files, ms / MB / MiB", &[OURS, "cairo", "GR", "NCAR"], &files);
     let left_out: Vec<&str> = ROWS
