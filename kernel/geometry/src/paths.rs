@@ -128,6 +128,13 @@ impl<S: Space> PathBuf<S> {
         self.ends.extend(paths.ends.iter().map(|&e| e + offset));
     }
 
+    /// Adds all `paths` as they are.
+    pub fn add_all(&mut self, paths: Paths<'_, S>) {
+        let offset = self.points.len() as u32;
+        self.points.extend_from_slice(paths.points);
+        self.ends.extend(paths.ends.iter().map(|&e| e + offset));
+    }
+
     /// Adds paths that come piece by piece.
     pub fn add_pieces(&mut self, paths: &impl Pieces) {
         let done = paths.pieces::<Infallible>(|piece| {

@@ -23,6 +23,7 @@ use gks_algorithms::clip::sutherland_hodgman;
 use gks_algorithms::fill::Hatch;
 use gks_geometry::{Du, Map, Ndc, PathBuf, Paths, Point, Rect};
 use glam::DVec2;
+use std::ops::ControlFlow;
 
 /// The most dashes that one polyline is cut into; beyond, it is drawn solid.
 pub const MOST_DASHES: usize = 10_000_000;
@@ -141,12 +142,13 @@ impl Painter {
         self.mapped.clear();
         self.mapped.add_mapped(paths, &canvas.map);
         let pen = resolve_pen(look, canvas, &mut self.dash);
-        if let Some(done) = simple_lines(self.mapped.as_paths(), &pen, clip, canvas) {
-            return done;
-        }
+        let crossing = match whole_lines(self.mapped.as_paths(), &pen, clip, canvas) {
+            ControlFlow::Break(done) => return done,
+            ControlFlow::Continue(crossing) => crossing,
+        };
         let (mapped, mut dash) = (std::mem::take(&mut self.mapped), std::mem::take(&mut self.dash));
         let pen = resolve_pen(look, canvas, &mut dash);
-        let done = self.lines(mapped.as_paths(), &pen, clip, canvas);
+        let done = self.cut_lines(mapped.as_paths(), &pen, (clip, crossing), canvas);
         self.mapped = mapped;
         self.dash = dash;
         done
@@ -160,14 +162,22 @@ impl Painter {
         clip: &Rect<Du>,
         canvas: &mut Canvas<'_>,
     ) -> Result<(), DeviceError> {
-        let Some(bounds) = paths.bounds() else { return Ok(()) };
-        let crossing = match visibility(&bounds, clip) {
-            Visibility::Hidden => return Ok(()),
-            Visibility::Whole => None,
-            Visibility::Crossing => Some(*clip),
-        };
+        match whole_lines(paths, pen, clip, canvas) {
+            ControlFlow::Break(done) => done,
+            ControlFlow::Continue(crossing) => self.cut_lines(paths, pen, (clip, crossing), canvas),
+        }
+    }
+
+    /// Draws lines that cross the edge of `clip`, or have dashes, or are too wide for a pen.
+    fn cut_lines(
+        &mut self,
+        paths: Paths<'_, Du>,
+        pen: &Pen<'_>,
+        (clip, crossing): (&Rect<Du>, bool),
+        canvas: &mut Canvas<'_>,
+    ) -> Result<(), DeviceError> {
         if !pen.dash.is_empty() {
-            if canvas.offer(Form::Lines(paths, *pen), crossing)? == Drawn::Yes {
+            if canvas.offer(Form::Lines(paths, *pen), crossing.then_some(*clip))? == Drawn::Yes {
                 return Ok(());
             }
             let mut pieces = std::mem::take(&mut self.pieces);
@@ -185,7 +195,6 @@ impl Painter {
         if let Some(tip) = canvas.surface.pen.filter(|_| !is_one_stroke(pen, canvas)) {
             return lower::wide::draw(self, paths, pen, tip, clip, canvas);
         }
-        let Some(clip) = crossing else { return must(canvas.offer(Form::Lines(paths, *pen), None)) };
         let mut clipped = std::mem::take(&mut self.clipped);
         clipped.clear();
         for path in paths.iter() {
@@ -460,20 +469,22 @@ fn partition(points: &mut [DVec2], is_first: impl Fn(DVec2) -> bool) -> usize {
     count
 }
 
-/// Draws lines that are hidden, or solid and whole and drawn by one stroke of the pen; else answers nothing.
-fn simple_lines(
+/// Draws lines that are hidden, or solid and whole and drawn by one stroke of the pen; else tells whether they cross the edge
+/// of `clip`.
+fn whole_lines(
     paths: Paths<'_, Du>,
     pen: &Pen<'_>,
     clip: &Rect<Du>,
     canvas: &mut Canvas<'_>,
-) -> Option<Result<(), DeviceError>> {
-    let Some(bounds) = paths.bounds() else { return Some(Ok(())) };
+) -> ControlFlow<Result<(), DeviceError>, bool> {
+    let Some(bounds) = paths.bounds() else { return ControlFlow::Break(Ok(())) };
     match visibility(&bounds, clip) {
-        Visibility::Hidden => Some(Ok(())),
+        Visibility::Hidden => ControlFlow::Break(Ok(())),
         Visibility::Whole if pen.dash.is_empty() && is_one_stroke(pen, canvas) => {
-            Some(must(canvas.offer(Form::Lines(paths, *pen), None)))
+            ControlFlow::Break(must(canvas.offer(Form::Lines(paths, *pen), None)))
         }
-        Visibility::Whole | Visibility::Crossing => None,
+        Visibility::Whole => ControlFlow::Continue(false),
+        Visibility::Crossing => ControlFlow::Continue(true),
     }
 }
 

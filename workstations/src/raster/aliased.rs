@@ -1,6 +1,5 @@
 //! Lines, areas and patterns without antialiasing: whole pixels, by the classical algorithms.
 
-use super::dashed::{dashes, is_solid};
 use super::stroke::Stroke;
 use gks_algorithms::clip::polyline;
 use gks_algorithms::fill::EdgeTable;
@@ -10,6 +9,7 @@ use gks_algorithms::rect::IRect;
 use gks_geometry::{Du, LongLine, PathBuf, Paths, Pieces, Point, Rect};
 use gks_pipeline::device::{Pen, Rule};
 use gks_pipeline::look::Cap;
+use gks_pipeline::lower::dashed::{dashes, is_solid};
 use glam::{DVec2, IVec2};
 use std::convert::Infallible;
 

@@ -6,7 +6,6 @@
 
 use super::bitmap::Bitmap;
 use super::composite::{Ink, Pixel, over, pixel};
-use super::dashed::{dashes, is_solid};
 use super::dense::Dense;
 use super::lone::Lone;
 use super::stroke::{Stroke, settled};
@@ -17,6 +16,7 @@ use gks_geometry::{Du, LongLine, PathBuf, Paths, Rect};
 use gks_pipeline::colour::Colour;
 use gks_pipeline::device::Pen;
 use gks_pipeline::look::Join;
+use gks_pipeline::lower::dashed::{dashes, is_solid};
 use glam::{DVec2, IVec2};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::convert::Infallible;

@@ -9,7 +9,6 @@ mod cells;
 mod clip;
 mod coloured_cells;
 mod composite;
-mod dashed;
 mod dense;
 mod describe;
 mod encode;

@@ -5,6 +5,7 @@
 
 pub mod cells;
 pub mod curve;
+pub mod dashed;
 pub mod glow;
 pub mod hatch;
 pub mod line;

@@ -1,11 +1,11 @@
 //! Long lines, whose points are not held but for those that a clipping rectangle leaves.
 
-use super::{Canvas, MOST_DASHES, Painter, Visibility, must, visibility};
+use super::{Canvas, Painter, Visibility, must, visibility};
 use crate::device::{DeviceError, Drawn, Form, Pen};
 use crate::look::Look;
+use crate::lower::dashed::{dashes, is_solid};
 use gks_algorithms as algorithms;
-use gks_algorithms::line::Dashes;
-use gks_geometry::{Du, LongLine, Ndc, Paths, Pieces, Rect};
+use gks_geometry::{Du, LongLine, Ndc, Paths, Rect};
 
 impl Painter {
     /// Offers a long line as such, or not at all; a polyline is the same line.
@@ -45,28 +45,16 @@ impl Painter {
         clip: &Rect<Du>,
         canvas: &mut Canvas<'_>,
     ) -> Result<Drawn, DeviceError> {
-        let mut held = std::mem::take(&mut self.pieces);
-        held.clear();
         let around = clip.grown(pen.width);
-        let rect = (around.min.0, around.max.0);
         let solid = Pen { dash: &[], ..*pen };
-        let mut dashes = None;
-        let cut = line.pieces(|piece| {
-            if piece.starts {
-                dashes = Dashes::new(pen.dash, 0.0);
-            }
-            let (points, ends) = (&mut held.points, &mut held.ends);
-            let Some(cut) = &mut dashes else { return Err(()) };
-            let done = cut.follow(rect, piece.points, points, ends, MOST_DASHES);
-            let last = dashes.take_if(|_| piece.ends);
-            let done = done && last.is_none_or(|last| last.end(points, ends, MOST_DASHES));
-            if done { Ok(()) } else { Err(()) }
-        });
-        let done = match cut {
-            Ok(()) => self.lines(held.as_paths(), &solid, clip, canvas),
-            Err(()) => return self.clipped_long_line(line, &solid, clip, canvas),
-        };
-        self.pieces = held;
+        if is_solid(line, pen.dash, &around) {
+            return self.clipped_long_line(line, &solid, clip, canvas);
+        }
+        let (mut some, mut pieces) = (std::mem::take(&mut self.lowered), std::mem::take(&mut self.pieces));
+        pieces.clear();
+        dashes(line, pen.dash, &around, &mut some, |dashes| pieces.add_all(dashes));
+        let done = self.lines(pieces.as_paths(), &solid, clip, canvas);
+        (self.lowered, self.pieces) = (some, pieces);
         done.map(|()| Drawn::Yes)
     }
 

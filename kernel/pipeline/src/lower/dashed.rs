@@ -1,9 +1,10 @@
-//! Long dashed lines, whose dashes are not held but for some at a time.
+//! Long dashed lines, whose dashes are not held but for some at a time: for drivers that draw long lines, and for those
+//! that refuse them.
 
+use crate::painter::MOST_DASHES;
 use gks_algorithms::clip::liang_barsky;
 use gks_algorithms::line::Dashes;
 use gks_geometry::{Du, LongLine, PathBuf, Paths, Pieces, Rect};
-use gks_pipeline::painter::MOST_DASHES;
 use std::convert::Infallible;
 
 /// As many points of dashes are held at a time.
@@ -11,7 +12,7 @@ const HELD: usize = 1 << 16;
 
 /// Gives the dashes of a line that lie inside of a rectangle, many at a time, in order; they begin anew with every path. `held`
 /// is where they are held.
-pub(super) fn dashes(
+pub fn dashes(
     line: &LongLine<'_, Du>,
     pattern: &[f64],
     inside: &Rect<Du>,
@@ -46,7 +47,7 @@ pub(super) fn dashes(
 
 /// Whether a line is to be drawn solid: by a pattern that is none, or because it has more dashes inside of a rectangle than a
 /// line is cut into.
-pub(super) fn is_solid(line: &LongLine<'_, Du>, pattern: &[f64], inside: &Rect<Du>) -> bool {
+pub fn is_solid(line: &LongLine<'_, Du>, pattern: &[f64], inside: &Rect<Du>) -> bool {
     if Dashes::new(pattern, 0.0).is_none() {
         return true;
     }
